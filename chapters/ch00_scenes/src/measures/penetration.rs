@@ -1,0 +1,171 @@
+//! How deep the bodies of a state overlap.
+
+use std::collections::BTreeSet;
+
+use super::broad::near_pairs;
+use super::depth::{Placed, depth};
+use crate::{Scene, State};
+
+/// Overlaps of all pairs of bodies that may collide: not two static ones, and not those
+/// that a joint connects.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Penetration {
+    /// The deepest overlap, m; 0 if nothing overlaps.
+    pub deepest: f64,
+    /// 99 of 100 overlapping pairs overlap by no more than this, m; 0 if none do.
+    pub p99: f64,
+    /// Pairs that overlap.
+    pub pairs_touching: usize,
+    /// Pairs whose bounding boxes meet but which have no closed form: two boxes, or a
+    /// cylinder and anything.
+    pub pairs_not_measured: usize,
+}
+
+impl Penetration {
+    /// Measures `state`. Bodies with a number that is not finite are passed over.
+    #[must_use]
+    pub fn of(scene: &Scene, state: &State) -> Self {
+        let solids: Vec<_> = (0..state.len())
+            .filter(|&i| state.position[i].is_finite() && state.orientation[i].is_finite())
+            .map(|i| (i, Placed::new(scene, state, i)))
+            .collect();
+        let joined = joined_pairs(scene);
+        let mut depths = Vec::new();
+        let mut not_measured = 0;
+        near_pairs(&solids, |a, b| {
+            let both_static = scene.bodies[a].is_static() && scene.bodies[b].is_static();
+            if both_static || joined.contains(&(a, b)) {
+                return;
+            }
+            let solid = |i| Placed::new(scene, state, i);
+            match depth(&solid(a), &solid(b)) {
+                Some(depth) if depth > 0.0 => depths.push(depth),
+                Some(_) => {}
+                None => not_measured += 1,
+            }
+        });
+        Self::from_depths(depths, not_measured)
+    }
+
+    fn from_depths(mut depths: Vec<f64>, pairs_not_measured: usize) -> Self {
+        depths.sort_by(f64::total_cmp);
+        // Nearest rank: the smallest depth that at least 99 % of the pairs don't exceed.
+        let rank = (depths.len() * 99).div_ceil(100);
+        Self {
+            deepest: depths.last().copied().unwrap_or(0.0),
+            p99: rank.checked_sub(1).map_or(0.0, |last| depths[last]),
+            pairs_touching: depths.len(),
+            pairs_not_measured,
+        }
+    }
+}
+
+/// Pairs that a joint connects, the lower index first.
+fn joined_pairs(scene: &Scene) -> BTreeSet<(usize, usize)> {
+    scene
+        .joints
+        .iter()
+        .map(|joint| {
+            let (a, b) = joint.bodies();
+            (a.min(b), a.max(b))
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::{Body, Joint, Shape};
+
+    fn row_of_balls(gaps: &[f64]) -> Scene {
+        let ball = Shape::Sphere { radius: 0.5 };
+        let mut scene = Scene::new("row");
+        let mut x = 0.0;
+        scene.bodies.push(Body::new(ball, 1.0, DVec3::ZERO));
+        for gap in gaps {
+            x += 1.0 + gap;
+            scene.bodies.push(Body::new(ball, 1.0, DVec3::X * x));
+        }
+        scene
+    }
+
+    fn start(scene: &Scene) -> Penetration {
+        Penetration::of(scene, &State::start_of(scene))
+    }
+
+    #[test]
+    fn the_deepest_of_three_overlaps_is_found() {
+        let found = start(&row_of_balls(&[-0.01, 0.02, -0.03, -0.02]));
+        assert!((found.deepest - 0.03).abs() < 1e-12, "{found:?}");
+        assert_eq!(found.pairs_touching, 3);
+    }
+
+    #[test]
+    fn the_99th_percentile_of_a_hundred_depths_leaves_out_the_deepest() {
+        let depths = (1..=100).map(f64::from).rev().collect();
+        let found = Penetration::from_depths(depths, 0);
+        assert_eq!((found.p99, found.deepest), (99.0, 100.0));
+    }
+
+    #[test]
+    fn the_99th_percentile_of_few_depths_is_the_deepest() {
+        let found = Penetration::from_depths(vec![2.0, 1.0], 0);
+        assert_eq!((found.p99, found.deepest), (2.0, 2.0));
+    }
+
+    #[test]
+    fn without_overlap_all_is_zero() {
+        assert_eq!(start(&row_of_balls(&[0.1])), Penetration::default());
+    }
+
+    #[test]
+    fn bodies_that_a_joint_connects_may_overlap() {
+        let mut scene = row_of_balls(&[-0.1, -0.2]);
+        scene.joints.push(Joint::Distance {
+            a: 2,
+            b: 1,
+            anchor_a: DVec3::ZERO,
+            anchor_b: DVec3::ZERO,
+            length: 0.8,
+        });
+        let found = start(&scene);
+        assert_eq!(found.pairs_touching, 1);
+        assert!((found.deepest - 0.1).abs() < 1e-12, "{found:?}");
+    }
+
+    #[test]
+    fn static_bodies_may_overlap_each_other_but_not_a_ball() {
+        let mut scene = row_of_balls(&[-0.1, -0.2]);
+        scene.bodies[0].mass = 0.0;
+        scene.bodies[1].mass = 0.0;
+        let found = start(&scene);
+        assert_eq!(found.pairs_touching, 1);
+        assert!((found.deepest - 0.2).abs() < 1e-12, "{found:?}");
+    }
+
+    #[test]
+    fn two_boxes_that_touch_are_counted_as_not_measured() {
+        let text = include_str!("../../tests/reference/scenes/half_metre_boxes_15.json");
+        let scene = Scene::from_json(text, "half_metre_boxes_15.json").unwrap();
+        assert_eq!(start(&scene).pairs_not_measured, 15);
+    }
+
+    #[test]
+    fn a_ball_sunk_into_the_floor_is_measured() {
+        let mut scene = crate::builtin::build("bounce", None, None).unwrap();
+        scene.bodies[1].position.y = 0.08;
+        let found = start(&scene);
+        assert!((found.deepest - 0.02).abs() < 1e-12, "{found:?}");
+    }
+
+    #[test]
+    fn the_ragdolls_of_the_reference_start_apart() {
+        let text = include_str!("../../tests/reference/scenes/ragdolls_5.json");
+        let scene = Scene::from_json(text, "ragdolls_5.json").unwrap();
+        let found = start(&scene);
+        assert_eq!(found.pairs_not_measured, 0);
+        assert!(found.deepest < 0.1, "{found:?}");
+    }
+}

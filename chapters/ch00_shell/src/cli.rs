@@ -1,0 +1,478 @@
+//! The command line: its flags, what they choose, and how errors end the program.
+//!
+//! [`Args`] is a group of flags and no program of its own, so that a chapter which has more
+//! to say can flatten it into its own parser, with [`examples`] after its help.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use ch00_scenes::{EngineEntry, Scene, Settings, builtin};
+use clap::{Command, FromArgMatches};
+
+use crate::chapter::Chapter;
+use crate::clock::Pace;
+use crate::error::ShellError;
+use crate::headless::{Dump, Picture};
+use crate::session::Session;
+use crate::{app, headless};
+
+/// The flags that all chapters share.
+#[derive(Clone, Debug, Default, clap::Args)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag")]
+pub struct Args {
+    /// Built-in scene, or the path of a scene file
+    #[arg(
+        long,
+        value_name = "NAME|FILE.json",
+        help_heading = "What is simulated"
+    )]
+    pub scene: Option<String>,
+    /// Number of bodies that a built-in scene makes
+    #[arg(long, value_name = "N", help_heading = "What is simulated",
+          allow_negative_numbers = true, value_parser = whole_number)]
+    pub count: Option<u64>,
+    /// Seed of what is random in a built-in scene
+    #[arg(long, value_name = "S", help_heading = "What is simulated",
+          allow_negative_numbers = true, value_parser = whole_number)]
+    pub seed: Option<u64>,
+
+    /// Architecture that steps the scene
+    #[arg(long, value_name = "NAME", help_heading = "How it is simulated")]
+    pub engine: Option<String>,
+    /// Mathematics that the engine uses
+    #[arg(long, value_name = "NAME", help_heading = "How it is simulated")]
+    pub method: Option<String>,
+    /// Size of a step in seconds, instead of the scene's
+    #[arg(long, value_name = "SECONDS", help_heading = "How it is simulated",
+          allow_negative_numbers = true, value_parser = step_size)]
+    pub dt: Option<f64>,
+    /// Parts of a step, for methods that divide it
+    #[arg(long, value_name = "K", help_heading = "How it is simulated",
+          allow_negative_numbers = true, value_parser = at_least_one)]
+    pub substeps: Option<u32>,
+    /// Times that a step goes over its contacts, for methods that do
+    #[arg(long, value_name = "K", help_heading = "How it is simulated",
+          allow_negative_numbers = true, value_parser = at_least_one)]
+    pub sweeps: Option<u32>,
+    /// Threads, for engines that have more than one
+    #[arg(long, value_name = "T", help_heading = "How it is simulated",
+          allow_negative_numbers = true, value_parser = at_least_one)]
+    pub threads: Option<u32>,
+    /// Make each step as long as the last one took, as the report does: results then vary
+    #[arg(long, help_heading = "How it is simulated")]
+    pub variable_step: bool,
+    /// Say what the engine does with this scene and why, and run nothing
+    #[arg(long, help_heading = "How it is simulated")]
+    pub explain: bool,
+
+    /// Print a table instead of opening a window; the flags below imply it
+    #[arg(long, help_heading = "Running without a window")]
+    pub headless: bool,
+    /// Number of steps, instead of the scene's
+    #[arg(long, value_name = "N", help_heading = "Running without a window",
+          allow_negative_numbers = true, value_parser = step_count)]
+    pub steps: Option<u32>,
+    /// Print one line of JSON instead of the table
+    #[arg(long, help_heading = "Running without a window")]
+    pub json: bool,
+    /// Write the bodies' states to a file as the run goes on
+    #[arg(long, value_name = "FILE", help_heading = "Running without a window")]
+    pub dump: Option<PathBuf>,
+    /// Write every K-th state; the first and the last are always written [default: 1]
+    #[arg(long, value_name = "K", help_heading = "Running without a window", requires = "dump",
+          allow_negative_numbers = true, value_parser = at_least_one)]
+    pub dump_every: Option<u32>,
+    /// Draw the state after the last step into a picture
+    #[arg(
+        long,
+        value_name = "FILE.png",
+        help_heading = "Running without a window"
+    )]
+    pub screenshot: Option<PathBuf>,
+}
+
+impl Args {
+    /// Whether the run has an end, and so no window.
+    #[must_use]
+    pub fn is_headless(&self) -> bool {
+        self.headless
+            || self.json
+            || self.steps.is_some()
+            || self.dump.is_some()
+            || self.screenshot.is_some()
+    }
+
+    /// What a run without a window writes; without a wish for one, `picture` stands.
+    fn headless_options(&self, picture: Picture) -> headless::Options {
+        headless::Options {
+            json: self.json,
+            variable_step: self.variable_step,
+            dump: self.dump.clone().map(|file| Dump {
+                file,
+                every: self.dump_every.unwrap_or(1),
+            }),
+            picture: self.screenshot.clone().map_or(picture, Picture::Wanted),
+        }
+    }
+
+    /// What the user chose about the engine.
+    #[must_use]
+    pub fn settings(&self) -> Settings {
+        Settings {
+            method: self.method.clone(),
+            sweeps: self.sweeps,
+            substeps: self.substeps,
+            threads: self.threads,
+        }
+    }
+
+    /// The scene with the flags that change it.
+    ///
+    /// # Errors
+    /// [`ShellError::Scene`] if there is no such scene or it can't be simulated.
+    pub fn scene(&self, chapter: &Chapter) -> Result<Scene, ShellError> {
+        let name = self.scene.as_deref().unwrap_or(chapter.default_scene);
+        let mut scene = Scene::open(name, self.count, self.seed)?;
+        scene.dt = self.dt.unwrap_or(scene.dt);
+        scene.steps = self.steps.unwrap_or(scene.steps);
+        Ok(scene)
+    }
+
+    /// The engine, or the chapter's first.
+    ///
+    /// # Errors
+    /// [`ShellError::Engine`] that lists the chapter's engines.
+    pub fn engine(&self, chapter: &Chapter) -> Result<EngineEntry, ShellError> {
+        match &self.engine {
+            None => Ok(chapter.engines[0]),
+            Some(name) => chapter.engine(name),
+        }
+    }
+
+    /// The scene on the engine, before its first step.
+    ///
+    /// # Errors
+    /// [`ShellError`] where scene, engine or settings can't be had.
+    pub fn session(&self, chapter: &Chapter) -> Result<Session, ShellError> {
+        let entry = self.engine(chapter)?;
+        let settings = self.settings();
+        entry.method(&settings)?;
+        Ok(Session::new(self.scene(chapter)?, entry, settings)?)
+    }
+}
+
+/// A chapter's program: reads the command line, runs, and says how it ended.
+///
+/// Exit status 0; 1 for an error, told in one paragraph; 2 for a usage error, told by clap.
+#[must_use]
+pub fn main(chapter: &Chapter) -> ExitCode {
+    let mut command = command(chapter);
+    let matches = command.get_matches_mut();
+    match Args::from_arg_matches(&matches) {
+        Ok(args) => report(run(chapter, &args)),
+        Err(error) => error.format(&mut command).exit(),
+    }
+}
+
+/// Ends a program: says what went wrong, if something did, and gives the exit status.
+#[must_use]
+pub fn report(outcome: Result<(), ShellError>) -> ExitCode {
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Does what the flags say: explains, runs without a window, or opens one.
+///
+/// # Errors
+/// [`ShellError`] for whatever can't be had or written.
+pub fn run(chapter: &Chapter, args: &Args) -> Result<(), ShellError> {
+    let session = args.session(chapter)?;
+    if args.explain {
+        headless::print(&explain(&session))
+    } else if args.is_headless() {
+        headless::run(session, &args.headless_options(Picture::None))
+    } else {
+        open_window(chapter, args, session)
+    }
+}
+
+/// The chapter's command line.
+#[must_use]
+pub fn command(chapter: &Chapter) -> Command {
+    <Args as clap::Args>::augment_args(Command::new(chapter.name))
+        .version(env!("CARGO_PKG_VERSION"))
+        .about(format!("{}\n\n{}", chapter.title, chapter.about))
+        .after_help(examples(chapter))
+}
+
+/// What can be chosen and how, for the end of a chapter's `--help`.
+#[must_use]
+pub fn examples(chapter: &Chapter) -> String {
+    let program = format!("cargo run --release -p {} --", chapter.name);
+    let scene = chapter.default_scene;
+    let engine = chapter.engines[0].name;
+    let mut text = format!("Scenes, `{scene}` unless you say otherwise:\n");
+    for name in chapter.scenes {
+        let about = builtin::about(name).unwrap_or_default();
+        let _ = writeln!(text, "  {name:<12} {about}");
+    }
+    for engine in chapter.engines {
+        let (name, chapter) = (engine.name, engine.chapter);
+        let _ = writeln!(
+            text,
+            "\nMethods of the engine `{name}` ({chapter}), the default first:"
+        );
+        for method in engine.methods {
+            let _ = writeln!(text, "  {:<12} {}", method.name, method.about);
+        }
+    }
+    let _ = write!(
+        text,
+        "\nExamples:\n  \
+         {program}\n      \
+         open a window with `{scene}`\n  \
+         {program} --scene {scene} --headless\n      \
+         run it without one and print a table\n  \
+         {program} --scene {scene} --engine {engine} --explain\n      \
+         say what the engine does with it, and why\n  \
+         {program} --scene my.json --steps 300 --dump my.rbd\n      \
+         run a scene file and write its states\n  \
+         {program} --scene {scene} --screenshot {scene}.png\n      \
+         run it and draw where it ends"
+    );
+    text
+}
+
+/// What `--explain` prints: who steps, then the engine's own words.
+fn explain(session: &Session) -> String {
+    let info = session.engine().info();
+    let sweeps = info
+        .sweeps
+        .map_or_else(|| "none".to_owned(), |sweeps| sweeps.to_string());
+    format!(
+        "scene     {scene}: {bodies} bodies ({moving} move), {joints} joints, {steps} steps of {dt:.6} s\n\
+         engine    {engine}, method {method}, on {device} with {threads} thread(s)\n\
+         substeps  {substeps}\n\
+         sweeps    {sweeps}\n\
+         threshold impacts below {threshold} m/s don't bounce\n\n\
+         {words}\n",
+        scene = session.scene().name,
+        bodies = session.scene().bodies.len(),
+        moving = session.scene().dynamic_count(),
+        joints = session.scene().joints.len(),
+        steps = session.scene().steps,
+        dt = session.dt(),
+        engine = info.engine,
+        method = info.method,
+        device = info.device,
+        threads = info.threads,
+        substeps = info.substeps,
+        threshold = info.restitution_threshold,
+        words = session.engine().explain().trim_end(),
+    )
+}
+
+/// Opens a window; without a display or an adapter says so and runs headless instead.
+fn open_window(chapter: &Chapter, args: &Args, session: Session) -> Result<(), ShellError> {
+    let pace = if args.variable_step {
+        Pace::Variable
+    } else {
+        Pace::Fixed
+    };
+    let outcome = match display() {
+        Ok(()) => app::run(chapter, session, pace),
+        Err(error) => Err(error),
+    };
+    match outcome {
+        Err(error @ (ShellError::NoDisplay(_) | ShellError::NoAdapter(_))) => {
+            eprintln!("{error}; running without a window");
+            headless::run(
+                args.session(chapter)?,
+                &args.headless_options(Picture::IfPossible),
+            )
+        }
+        outcome => outcome,
+    }
+}
+
+/// Whether a window can be hoped for: X11 and Wayland say so in the environment.
+fn display() -> Result<(), ShellError> {
+    let needs_variable = cfg!(all(unix, not(target_os = "macos")));
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    if needs_variable && !DISPLAY_VARIABLES.into_iter().any(is_set) {
+        let names = DISPLAY_VARIABLES.join(", ");
+        return Err(ShellError::NoDisplay(format!("none of {names} is set")));
+    }
+    Ok(())
+}
+
+const DISPLAY_VARIABLES: [&str; 3] = ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"];
+
+fn whole_number(text: &str) -> Result<u64, String> {
+    text.parse()
+        .map_err(|_| "it must be a whole number, 0 or more".to_owned())
+}
+
+fn step_count(text: &str) -> Result<u32, String> {
+    text.parse()
+        .map_err(|_| format!("it must be a whole number from 0 to {}", u32::MAX))
+}
+
+fn at_least_one(text: &str) -> Result<u32, String> {
+    match text.parse() {
+        Ok(number) if number > 0 => Ok(number),
+        _ => Err(format!("it must be a whole number from 1 to {}", u32::MAX)),
+    }
+}
+
+fn step_size(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(dt) if (SHORTEST_STEP..=LONGEST_STEP).contains(&dt) => Ok(dt),
+        _ => Err(format!(
+            "it must be a number of seconds from {SHORTEST_STEP} to {LONGEST_STEP}"
+        )),
+    }
+}
+
+/// s. Engines work with dt² in f32.
+const SHORTEST_STEP: f64 = 1e-6;
+
+/// s. Far past where any method holds.
+const LONGEST_STEP: f64 = 10.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_engine::CHAPTER;
+
+    fn parse(arguments: &[&str]) -> Result<Args, clap::Error> {
+        let words = std::iter::once("ch00_shell").chain(arguments.iter().copied());
+        let matches = command(&CHAPTER).try_get_matches_from(words)?;
+        Args::from_arg_matches(&matches)
+    }
+
+    fn args(arguments: &[&str]) -> Args {
+        parse(arguments).expect("these flags are right")
+    }
+
+    /// What a chapter's program answers to flags that parse.
+    fn refusal(arguments: &[&str]) -> String {
+        let error = args(arguments).session(&CHAPTER).err();
+        error.expect("it is refused").to_string()
+    }
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        command(&CHAPTER).debug_assert();
+    }
+
+    #[test]
+    fn no_flags_are_the_chapters_scene_and_engine_in_a_window() {
+        let args = args(&[]);
+        let session = args.session(&CHAPTER).expect("the defaults load");
+        assert_eq!(
+            (session.scene().name.as_str(), session.entry().name),
+            ("pair", "falling")
+        );
+        assert!(!args.is_headless());
+    }
+
+    #[test]
+    fn flags_that_end_a_run_open_no_window() {
+        for flags in [
+            &["--headless"][..],
+            &["--json"],
+            &["--steps", "3"],
+            &["--dump", "a.rbd"],
+            &["--screenshot", "a.png"],
+        ] {
+            assert!(args(flags).is_headless(), "{flags:?}");
+        }
+    }
+
+    #[test]
+    fn flags_change_the_scene_and_the_settings() {
+        let flags = [
+            "--scene", "bounce", "--dt", "0.5", "--steps", "7", "--method", "heavy",
+        ];
+        let session = args(&flags).session(&CHAPTER).expect("they are right");
+        assert_eq!((session.dt(), session.scene().steps), (0.5, 7));
+        assert_eq!(session.engine().info().method, "heavy");
+    }
+
+    #[test]
+    fn an_engine_of_another_chapter_is_answered_with_that_chapter() {
+        let message = refusal(&["--engine", "objects"]);
+        assert!(message.contains("ch03_collision"), "{message}");
+        assert!(message.contains("falling"), "{message}");
+    }
+
+    #[test]
+    fn an_engine_that_the_book_does_not_have_is_answered_with_the_known_ones() {
+        let message = refusal(&["--engine", "gears"]);
+        let expected = "engine `gears` is not in this chapter's list (ch00_shell has: falling)";
+        assert_eq!(message, expected);
+    }
+
+    #[test]
+    fn an_unknown_method_is_answered_with_the_known_ones() {
+        let message = refusal(&["--method", "magic"]);
+        assert!(message.contains("light, heavy"), "{message}");
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_answered_with_the_range() {
+        for (flags, words) in [
+            (["--count", "-1"], "0 or more"),
+            (["--seed", "1.5"], "0 or more"),
+            (["--dt", "0"], "number of seconds"),
+            (["--dt", "-1"], "number of seconds"),
+            (["--dt", "nan"], "number of seconds"),
+            (["--sweeps", "0"], "from 1"),
+            (["--threads", "-2"], "from 1"),
+            (["--steps", "5000000000"], "from 0"),
+        ] {
+            let error = parse(&flags).expect_err("it is out of range");
+            assert_eq!(error.exit_code(), 2);
+            assert!(error.to_string().contains(words), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_dump_interval_needs_a_dump() {
+        assert!(parse(&["--dump-every", "2"]).is_err());
+        let args = args(&["--dump", "a.rbd", "--dump-every", "2"]);
+        let dump = args.headless_options(Picture::None).dump;
+        assert_eq!(dump.map(|dump| dump.every), Some(2));
+    }
+
+    #[test]
+    fn explaining_names_engine_method_and_threshold() {
+        let session = args(&[]).session(&CHAPTER).expect("the defaults load");
+        let text = explain(&session);
+        for word in ["falling", "light", "threshold", "Each point falls"] {
+            assert!(text.contains(word), "`{word}` isn't in:\n{text}");
+        }
+    }
+
+    #[test]
+    fn help_lists_scenes_engines_methods_and_examples() {
+        let help = command(&CHAPTER).render_help().to_string();
+        for word in [
+            "pair ",
+            "bounce ",
+            "falling",
+            "heavy",
+            "Examples:",
+            "-p ch00_shell --",
+        ] {
+            assert!(help.contains(word), "`{word}` isn't in:\n{help}");
+        }
+    }
+}

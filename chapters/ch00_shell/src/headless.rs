@@ -1,0 +1,369 @@
+//! A run without a window: so many steps, timed one by one, then a summary, and if wanted
+//! the states in a file and a picture of the last one.
+//!
+//! Files are opened before the first step, so that a path that can't be written costs no
+//! run. Overlaps and joints are measured after every k-th step and the last; k is the number
+//! of bodies over 5000, rounded up.
+
+use std::fs::{OpenOptions, remove_file};
+use std::io::{ErrorKind, Write, stdout};
+use std::path::{Path, PathBuf};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::clock::variable_step;
+use crate::error::ShellError;
+use crate::frame_rate::FrameRate;
+use crate::screenshot;
+use crate::session::Session;
+use crate::state_file::StateFile;
+use crate::summary::{Summary, Timing};
+use crate::worst::{Worst, deepest};
+
+/// What a run writes besides its summary.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// One line of JSON instead of a table; no progress bar.
+    pub json: bool,
+    /// Each step as long as the last one took.
+    pub variable_step: bool,
+    /// Where the states go.
+    pub dump: Option<Dump>,
+    /// Whether and where the last state is drawn.
+    pub picture: Picture,
+}
+
+/// A file of states.
+#[derive(Clone, Debug)]
+pub struct Dump {
+    /// The file.
+    pub file: PathBuf,
+    /// Every how many steps a state is written; the first and the last always are.
+    pub every: u32,
+}
+
+/// Whether the last state is drawn.
+#[derive(Clone, Debug, Default)]
+pub enum Picture {
+    /// No.
+    #[default]
+    None,
+    /// Yes; without an adapter that is an error.
+    Wanted(PathBuf),
+    /// Yes, into the current directory, if there is an adapter.
+    IfPossible,
+}
+
+/// Makes the scene's steps and reports them on the standard output.
+///
+/// # Errors
+/// [`ShellError::Write`] for a file that can't be written, and what
+/// [`screenshot::save`] answers where a picture is wanted.
+pub fn run(mut session: Session, options: &Options) -> Result<(), ShellError> {
+    if let Picture::Wanted(file) = &options.picture {
+        check_writable(file)?;
+    }
+    let summary = simulate(&mut session, options)?;
+    print(&if options.json {
+        summary.json() + "\n"
+    } else {
+        summary.to_string()
+    })?;
+    draw(&session, &options.picture)
+}
+
+/// Makes the scene's steps and says how they went; prints nothing but the progress bar.
+///
+/// # Errors
+/// [`ShellError::Write`] for a dump that can't be written.
+pub fn simulate(session: &mut Session, options: &Options) -> Result<Summary, ShellError> {
+    let mut states = StateFile::create(options.dump.as_ref(), session)?;
+    let progress = progress_bar(session, options.json);
+    let mut times = FrameRate::of_run();
+    let mut worst = Worst::at_start(session);
+    let last = session.scene().steps;
+    let mut dt = session.dt();
+    while session.steps() < u64::from(last) {
+        session.step_by(dt);
+        if session.steps() > 1 {
+            times.record(session.step_time());
+        }
+        if options.variable_step {
+            dt = variable_step(session.step_time().as_secs_f64());
+        }
+        worst.measure(session, last);
+        states.write(session, last)?;
+        progress.inc(1);
+    }
+    progress.finish_and_clear();
+    states.finish()?;
+    Ok(summarise(session, options, Timing::of(&times), &worst))
+}
+
+fn summarise(session: &Session, options: &Options, timing: Timing, worst: &Worst) -> Summary {
+    let info = session.engine().info();
+    let Worst { last, .. } = worst;
+    let deepest_now = deepest(&last.penetration);
+    Summary {
+        scene: session.scene().name.clone(),
+        engine: info.engine,
+        method: info.method,
+        threads: info.threads,
+        device: info.device,
+        n: session.scene().bodies.len(),
+        joints: session.scene().joints.len(),
+        steps: session.steps(),
+        dt: (!options.variable_step).then_some(session.dt()),
+        substeps: info.substeps,
+        timing,
+        max_penetration_final_m: deepest_now,
+        p99_penetration_final_m: deepest_now.map(|_| last.penetration.p99),
+        max_penetration_run_m: worst.penetration,
+        max_joint_separation_final_m: last.joint_separation,
+        max_joint_separation_run_m: worst.joint_separation,
+        escaped: last.escaped,
+        nan: last.not_finite,
+        overflow: session.engine().counters().overflow,
+        kinetic_energy_final: Some(last.conserved.kinetic_energy),
+        momentum_error: session.history().largest_momentum_error(),
+    }
+}
+
+/// Writes to the standard output. That nobody reads it any more (`| head`) is no error.
+pub(crate) fn print(text: &str) -> Result<(), ShellError> {
+    match stdout().lock().write_all(text.as_bytes()) {
+        Err(source) if source.kind() != ErrorKind::BrokenPipe => Err(ShellError::Write {
+            file: PathBuf::from("the standard output"),
+            source,
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Draws the last state, if it shall and can be drawn.
+fn draw(session: &Session, picture: &Picture) -> Result<(), ShellError> {
+    match picture {
+        Picture::None => Ok(()),
+        Picture::Wanted(file) => {
+            say_drawn(file, &screenshot::save(session, file)?);
+            Ok(())
+        }
+        Picture::IfPossible => draw_if_possible(session),
+    }
+}
+
+fn draw_if_possible(session: &Session) -> Result<(), ShellError> {
+    let file = picture_name(&session.scene().name, session.steps());
+    match screenshot::save(session, &file) {
+        Ok(adapter) => {
+            say_drawn(&file, &adapter);
+            Ok(())
+        }
+        Err(ShellError::NoAdapter(why)) => {
+            eprintln!("no pictures: no graphics adapter was found ({why})");
+            Ok(())
+        }
+        Err(error) => Err(error),
+    }
+}
+
+fn say_drawn(file: &Path, adapter: &str) {
+    eprintln!(
+        "{}: the state after the last step, drawn by {adapter}",
+        file.display()
+    );
+}
+
+/// `balls-after-600-steps.png`; what can't stand in a file's name becomes `_`.
+fn picture_name(scene: &str, steps: u64) -> PathBuf {
+    let plain = |c: char| {
+        if c.is_alphanumeric() || "-_".contains(c) {
+            c
+        } else {
+            '_'
+        }
+    };
+    let scene: String = scene.chars().take(64).map(plain).collect();
+    PathBuf::from(format!("{scene}-after-{steps}-steps.png"))
+}
+
+/// Opens the file for writing, leaves what stands in it, and leaves none where there was none.
+fn check_writable(file: &Path) -> Result<(), ShellError> {
+    let existed = file.exists();
+    let check = || {
+        OpenOptions::new().create(true).append(true).open(file)?;
+        if existed { Ok(()) } else { remove_file(file) }
+    };
+    check().map_err(|source| ShellError::Write {
+        file: file.to_owned(),
+        source,
+    })
+}
+
+/// On the standard error, so that it doesn't mix with results; not shown beside JSON, nor
+/// where the standard error is no terminal.
+fn progress_bar(session: &Session, json: bool) -> ProgressBar {
+    let target = if json {
+        ProgressDrawTarget::hidden()
+    } else {
+        ProgressDrawTarget::stderr()
+    };
+    let style = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} steps, {eta} left")
+        .expect("a template without mistakes, as the test shows");
+    ProgressBar::with_draw_target(Some(u64::from(session.scene().steps)), target)
+        .with_style(style)
+        .with_message(session.scene().name.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use ch00_scenes::dump::DumpReader;
+    use ch00_scenes::measures::Conserved;
+    use ch00_scenes::{Scene, Settings, builtin};
+
+    use super::*;
+    use crate::clock::SHORTEST_VARIABLE_STEP;
+    use crate::test_engine::FALLING;
+
+    fn session_of(scene: Scene) -> Session {
+        Session::new(scene, FALLING, Settings::defaults()).expect("it can fall")
+    }
+
+    fn pair(steps: u32) -> Session {
+        let mut scene = builtin::build("pair", None, None).expect("`pair` is built in");
+        scene.steps = steps;
+        session_of(scene)
+    }
+
+    fn quiet() -> Options {
+        Options {
+            json: true,
+            ..Options::default()
+        }
+    }
+
+    fn simulated(mut session: Session, options: &Options) -> Summary {
+        simulate(&mut session, options).expect("nothing is written")
+    }
+
+    /// The steps of the frames that a run of ten steps dumps.
+    fn dumped(name: &str, every: u32) -> Vec<u32> {
+        let file = std::env::temp_dir().join(format!("{name}-{}.rbd", std::process::id()));
+        let options = Options {
+            dump: Some(Dump {
+                file: file.clone(),
+                every,
+            }),
+            ..quiet()
+        };
+        simulate(&mut pair(10), &options).expect("the folder is writable");
+        let reader = DumpReader::open(&file).expect("it was written");
+        let frames = reader.frames().expect("it is whole");
+        remove_file(&file).expect("it was ours");
+        frames.iter().map(|frame| frame.step).collect()
+    }
+
+    #[test]
+    fn the_summary_says_what_ran() {
+        let summary = simulated(pair(20), &quiet());
+        assert_eq!((summary.scene.as_str(), summary.method), ("pair", "light"));
+        assert_eq!((summary.n, summary.joints, summary.steps), (2, 0, 20));
+        assert_eq!((summary.nan, summary.overflow), (0, 0));
+    }
+
+    #[test]
+    fn the_first_step_is_not_timed() {
+        assert_eq!(simulated(pair(1), &quiet()).timing, Timing::default());
+        assert!(simulated(pair(2), &quiet()).timing.median_ms.is_some());
+        assert!(simulated(pair(10), &quiet()).timing.max_fps.is_none());
+        assert!(simulated(pair(11), &quiet()).timing.max_fps.is_some());
+    }
+
+    #[test]
+    fn what_does_not_apply_to_a_scene_is_absent() {
+        let summary = simulated(pair(2), &quiet());
+        assert_eq!(summary.max_joint_separation_run_m, None);
+        assert_eq!(summary.escaped, None);
+        // Velocities are f32 in the engine: 2⁻²⁴ = 6e-8 of each.
+        assert!(summary.momentum_error.is_some_and(|error| error < 6e-8));
+        let bounce = builtin::build("bounce", None, None).expect("it is built in");
+        assert_eq!(simulated(session_of(bounce), &quiet()).momentum_error, None);
+    }
+
+    #[test]
+    fn two_balls_that_fly_through_each_other_overlap_in_the_run_but_not_at_its_end() {
+        let summary = simulated(pair(120), &quiet());
+        assert!(summary.max_penetration_run_m > Some(0.1));
+        assert_eq!(summary.max_penetration_final_m, Some(0.0));
+    }
+
+    #[test]
+    fn the_last_step_is_measured_even_when_it_is_not_its_turn() {
+        let mut scene = builtin::build("balls", Some(6000), None).expect("it is built in");
+        scene.steps = 3; // and every second step is measured
+        let mut session = session_of(scene);
+        let summary = simulate(&mut session, &quiet()).expect("nothing is written");
+        let last = Conserved::of(session.scene(), session.state_now());
+        assert_eq!(summary.kinetic_energy_final, Some(last.kinetic_energy));
+    }
+
+    #[test]
+    fn a_variable_step_has_no_size_and_is_never_zero() {
+        let options = Options {
+            variable_step: true,
+            ..quiet()
+        };
+        let mut session = pair(50);
+        let summary = simulate(&mut session, &options).expect("nothing is written");
+        assert_eq!(summary.dt, None);
+        let shortest = session.dt() + 49.0 * SHORTEST_VARIABLE_STEP;
+        assert!(session.time() > shortest - 1e-9);
+    }
+
+    #[test]
+    fn every_state_is_dumped_or_every_fourth_with_the_first_and_the_last() {
+        assert_eq!(dumped("every", 1), (0..=10).collect::<Vec<_>>());
+        assert_eq!(dumped("fourth", 4), [0, 4, 8, 10]);
+        assert_eq!(dumped("rarely", 1000), [0, 10]);
+    }
+
+    #[test]
+    fn a_dump_into_a_folder_that_is_not_there_stops_before_the_first_step() {
+        let mut session = pair(10);
+        let options = Options {
+            dump: Some(Dump {
+                file: PathBuf::from("no/such/folder.rbd"),
+                every: 1,
+            }),
+            ..quiet()
+        };
+        let error = simulate(&mut session, &options).expect_err("it can't be written");
+        assert!(error.to_string().contains("no/such/folder.rbd"), "{error}");
+        assert_eq!(session.steps(), 0);
+    }
+
+    #[test]
+    fn looking_whether_a_file_can_be_written_leaves_none() {
+        let file = std::env::temp_dir().join(format!("check-{}.png", std::process::id()));
+        check_writable(&file).expect("the folder is writable");
+        assert!(!file.exists());
+        assert!(check_writable(Path::new("no/such/folder.png")).is_err());
+    }
+
+    #[test]
+    fn a_picture_without_a_wish_is_named_after_scene_and_steps() {
+        assert_eq!(
+            picture_name("balls", 600),
+            Path::new("balls-after-600-steps.png")
+        );
+        assert_eq!(
+            picture_name("../a b", 1),
+            Path::new("___a_b-after-1-steps.png")
+        );
+    }
+
+    #[test]
+    fn the_progress_bar_has_a_valid_template() {
+        progress_bar(&pair(3), true).finish_and_clear();
+    }
+}

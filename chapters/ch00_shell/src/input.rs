@@ -1,0 +1,142 @@
+//! Keys and mouse: dragging a body pulls it, dragging anything else turns the camera.
+
+use glam::Vec2;
+use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
+use winit::keyboard::{Key, ModifiersState, NamedKey};
+
+use crate::render::Theme;
+use crate::stage::Stage;
+
+/// Pixels of a touch pad that count as a notch of a wheel.
+const PIXELS_PER_NOTCH: f64 = 40.0;
+
+/// What the mouse is doing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Drag {
+    #[default]
+    None,
+    /// Turns the camera.
+    Orbit,
+    /// Moves the camera.
+    Pan,
+    /// Pulls a body, in the plane at this distance along the line of sight, m.
+    Pull { depth: f32 },
+}
+
+/// The mouse's and the keyboard's state.
+#[derive(Debug, Default)]
+pub struct Input {
+    pointer: Vec2,
+    modifiers: ModifiersState,
+    drag: Drag,
+}
+
+impl Input {
+    /// Takes an event of the window; one that is the overlay's begins nothing here.
+    pub fn on_event(&mut self, stage: &mut Stage, event: &WindowEvent, is_for_overlay: bool) {
+        match event {
+            WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
+            WindowEvent::KeyboardInput { event, .. } if !is_for_overlay => on_key(stage, event),
+            WindowEvent::MouseInput { state, button, .. } => match state {
+                ElementState::Pressed if !is_for_overlay => self.press(stage, *button),
+                ElementState::Pressed => {}
+                ElementState::Released => self.release(stage),
+            },
+            WindowEvent::CursorMoved { position, .. } => {
+                let position: [f32; 2] = (*position).into();
+                self.move_to(stage, Vec2::from(position));
+            }
+            WindowEvent::MouseWheel { delta, .. } if !is_for_overlay => {
+                stage.camera_to_move().zoom(notches(*delta));
+            }
+            WindowEvent::Focused(false) => self.release(stage),
+            _ => {}
+        }
+    }
+
+    fn press(&mut self, stage: &mut Stage, button: MouseButton) {
+        self.drag = match button {
+            MouseButton::Left if self.modifiers.shift_key() => Drag::Pan,
+            MouseButton::Left if stage.grab(stage.sight(self.pointer)) => self.pulling(stage),
+            MouseButton::Left => {
+                stage.picked = None;
+                Drag::Orbit
+            }
+            MouseButton::Middle | MouseButton::Right => Drag::Pan,
+            _ => self.drag,
+        };
+    }
+
+    /// A drag of the body that was just grabbed.
+    fn pulling(&self, stage: &Stage) -> Drag {
+        let camera = &stage.camera;
+        stage.pulled().map_or(Drag::None, |pull| {
+            let to_body = pull.target.as_vec3() - camera.position();
+            Drag::Pull {
+                depth: to_body.dot(camera.forward()),
+            }
+        })
+    }
+
+    fn release(&mut self, stage: &mut Stage) {
+        stage.let_go();
+        self.drag = Drag::None;
+    }
+
+    fn move_to(&mut self, stage: &mut Stage, pointer: Vec2) {
+        let moved = pointer - self.pointer;
+        self.pointer = pointer;
+        match self.drag {
+            Drag::None => {}
+            Drag::Orbit => stage.camera_to_move().orbit(moved),
+            Drag::Pan => {
+                let viewport = stage.viewport();
+                stage.camera_to_move().pan(moved, viewport);
+            }
+            Drag::Pull { depth } => {
+                let sight = stage.sight(pointer);
+                let distance = depth / sight.direction.dot(stage.camera.forward());
+                stage.pull_to(sight.at(distance).as_dvec3());
+            }
+        }
+    }
+}
+
+/// What a key does; the overlay's list says the same.
+fn on_key(stage: &mut Stage, event: &KeyEvent) {
+    if event.state == ElementState::Released {
+        return;
+    }
+    let key = event.logical_key.as_ref();
+    // Only stepping goes on while a key is held.
+    if event.repeat && !matches!(key, Key::Character("." | "n" | "N")) {
+        return;
+    }
+    match key {
+        Key::Named(NamedKey::Space) => stage.toggle_pause(),
+        Key::Named(NamedKey::F1) | Key::Character("h" | "H") => {
+            stage.shows_overlay = !stage.shows_overlay;
+        }
+        Key::Character("." | "n" | "N") => stage.step_once(),
+        Key::Character("r" | "R") => stage.reset(),
+        Key::Character("f" | "F" | "t" | "T") => stage.throw_ball(),
+        Key::Character("v" | "V") => stage.toggle_pace(),
+        Key::Character("c" | "C") => stage.move_camera_home(),
+        Key::Character("l" | "L") => {
+            stage.theme = match stage.theme {
+                Theme::Light => Theme::Dark,
+                Theme::Dark => Theme::Light,
+            };
+        }
+        _ => {}
+    }
+}
+
+/// Turns of the wheel, towards the user if negative.
+fn notches(delta: MouseScrollDelta) -> f32 {
+    match delta {
+        MouseScrollDelta::LineDelta(_, lines) => lines,
+        #[expect(clippy::cast_possible_truncation, reason = "a few notches")]
+        MouseScrollDelta::PixelDelta(pixels) => (pixels.y / PIXELS_PER_NOTCH) as f32,
+    }
+}

@@ -1,0 +1,34 @@
+//! What all chapters share around an engine: the command line, a session that steps a
+//! scene, the headless runner with its summary, and the window with renderer and overlay.
+//!
+//! A chapter says what it offers in a [`Chapter`] and its `main.rs` calls [`main`].
+
+mod app;
+mod camera;
+mod chapter;
+pub mod cli;
+pub mod clock;
+mod error;
+pub mod frame_rate;
+mod gpu;
+pub mod headless;
+pub mod history;
+mod input;
+mod overlay;
+mod picking;
+mod render;
+pub mod screenshot;
+pub mod session;
+mod stage;
+mod state_file;
+pub mod summary;
+mod surface;
+#[cfg(test)]
+mod test_engine;
+mod window_loop;
+mod worst;
+
+pub use chapter::Chapter;
+pub use cli::{Args, main, report, run};
+pub use error::ShellError;
+pub use session::Session;

@@ -1,0 +1,49 @@
+//! What the last step counted, and what was left undone: nothing is skipped in silence.
+
+use super::Section;
+use super::format::{row, rows};
+use super::style::WARNING;
+use crate::stage::Stage;
+
+/// The section.
+pub struct Counts;
+
+impl Section for Counts {
+    fn name(&self) -> &'static str {
+        "Counts"
+    }
+
+    fn is_open_at_start(&self) -> bool {
+        true
+    }
+
+    fn show(&mut self, ui: &mut egui::Ui, stage: &mut Stage) {
+        let counters = stage.session().engine().counters();
+        rows(ui, "counters", |ui| {
+            let found = format!("{} / {}", counters.pairs, counters.contacts);
+            row(ui, "pairs / contacts", found);
+            warn(ui, "overflow", counters.overflow, counters.overflow > 0).on_hover_text(
+                "what a capacity or an iteration limit left undone since the scene was loaded",
+            );
+            let lost = stage.session().state_now().not_finite();
+            if lost > 0 {
+                warn(ui, "not finite", lost, true);
+            }
+            let dropped = stage.clock().dropped();
+            warn(ui, "dropped time", format!("{dropped:.2} s"), dropped > 0.5).on_hover_text(
+                "time that passed without being simulated, because steps took longer than they last",
+            );
+        });
+    }
+}
+
+/// A row in the colour of a warning where one is due.
+fn warn(ui: &mut egui::Ui, name: &str, value: impl ToString, is_due: bool) -> egui::Response {
+    if !is_due {
+        return row(ui, name, value.to_string());
+    }
+    ui.weak(name);
+    let response = ui.colored_label(WARNING, value.to_string());
+    ui.end_row();
+    response
+}

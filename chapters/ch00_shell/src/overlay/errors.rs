@@ -1,0 +1,69 @@
+//! How well energy and momentum are kept: their relative errors over time. Where a scene
+//! doesn't keep one of them (weight takes up momentum), it has no curve.
+
+use egui_plot::{Corner, Legend, Line, Plot, PlotPoints};
+
+use super::Section;
+use super::format::{or_dash, row, rows};
+use crate::history::Sample;
+use crate::stage::Stage;
+
+/// Points of a curve at most, so that a long run costs no more to draw than a short one.
+const MOST_POINTS: usize = 300;
+
+/// The section.
+pub struct Errors;
+
+impl Section for Errors {
+    fn name(&self) -> &'static str {
+        "Energy and momentum error"
+    }
+
+    fn is_open_at_start(&self) -> bool {
+        true
+    }
+
+    fn show(&mut self, ui: &mut egui::Ui, stage: &mut Stage) {
+        let samples = stage.session().history().samples();
+        let last = samples.back();
+        let percent = |error: f64| format!("{:+.3e}", error);
+        rows(ui, "energies", |ui| {
+            let energies = or_dash(last, |sample| {
+                let (kinetic, potential) = (sample.kinetic_energy, sample.potential_energy);
+                format!("{kinetic:.2} / {potential:.2} J")
+            });
+            row(ui, "kinetic / potential", energies);
+            let error = last.and_then(|sample| sample.energy_error);
+            row(ui, "energy error", or_dash(error, percent));
+            let error = last.and_then(|sample| sample.momentum_error);
+            row(ui, "momentum error", or_dash(error, percent));
+        });
+        let stride = samples.len().div_ceil(MOST_POINTS).max(1);
+        let curve = |error: fn(&Sample) -> Option<f64>| -> PlotPoints<'static> {
+            samples
+                .iter()
+                .step_by(stride)
+                .filter_map(|sample| Some([sample.time, error(sample)?]))
+                .collect()
+        };
+        let energy = curve(|sample| sample.energy_error);
+        let momentum = curve(|sample| sample.momentum_error);
+        Plot::new("errors")
+            .height(110.0)
+            .legend(Legend::default().position(Corner::LeftTop))
+            .allow_drag(false)
+            .allow_scroll(false)
+            .allow_zoom(false)
+            .allow_boxed_zoom(false)
+            .include_y(0.0)
+            .x_axis_formatter(|mark, _| format!("{} s", mark.value))
+            .y_axis_formatter(|mark, _| format!("{:.1e}", mark.value))
+            .show(ui, |plot| {
+                plot.line(Line::new("energy", energy).color(ENERGY));
+                plot.line(Line::new("momentum", momentum).color(MOMENTUM));
+            });
+    }
+}
+
+const ENERGY: egui::Color32 = egui::Color32::from_rgb(0xE6, 0x9F, 0x00);
+const MOMENTUM: egui::Color32 = egui::Color32::from_rgb(0x56, 0xB4, 0xE9);

@@ -1,0 +1,49 @@
+//! Numbers as the overlay shows them, and tables of two columns to show them in.
+
+use std::time::Duration;
+
+/// A time in milliseconds, or in microseconds where it is short.
+pub fn time(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    if seconds < 1e-3 {
+        format!("{:.0} µs", 1e6 * seconds)
+    } else if seconds < 0.1 {
+        format!("{:.2} ms", 1e3 * seconds)
+    } else {
+        format!("{:.0} ms", 1e3 * seconds)
+    }
+}
+
+/// A number that may not be there yet.
+pub fn or_dash<T>(value: Option<T>, show: impl Fn(T) -> String) -> String {
+    value.map_or_else(|| "–".to_owned(), show)
+}
+
+/// Rows of a name and its value.
+pub fn rows(ui: &mut egui::Ui, id: &str, add: impl FnOnce(&mut egui::Ui)) {
+    egui::Grid::new(id)
+        .num_columns(2)
+        .spacing([12.0, 2.0])
+        .min_col_width(112.0)
+        .show(ui, add);
+}
+
+/// One of these rows.
+pub fn row(ui: &mut egui::Ui, name: &str, value: impl Into<String>) -> egui::Response {
+    ui.weak(name);
+    let response = ui.monospace(value.into());
+    ui.end_row();
+    response
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_have_three_digits_or_so() {
+        assert_eq!(time(Duration::from_micros(7)), "7 µs");
+        assert_eq!(time(Duration::from_micros(16_667)), "16.67 ms");
+        assert_eq!(time(Duration::from_millis(250)), "250 ms");
+    }
+}

@@ -1,0 +1,43 @@
+//! Which key and which drag does what.
+
+use super::Section;
+use super::format::rows;
+use crate::stage::Stage;
+
+/// The section.
+pub struct Keys;
+
+/// What to press, and what it does.
+const KEYS: [(&str, &str); 11] = [
+    ("Space", "pause or go on"),
+    (". or N", "one step"),
+    ("R", "reset"),
+    ("F or T", "throw a ball where you look"),
+    ("V", "variable step or fixed step"),
+    ("L", "light or dark"),
+    ("C", "camera back to the start"),
+    ("H or F1", "this panel"),
+    ("drag a body", "pull it by a spring"),
+    ("drag elsewhere", "turn the camera"),
+    ("wheel; Shift-drag", "closer or farther; move"),
+];
+
+impl Section for Keys {
+    fn name(&self) -> &'static str {
+        "Keys and mouse"
+    }
+
+    fn is_open_at_start(&self) -> bool {
+        false
+    }
+
+    fn show(&mut self, ui: &mut egui::Ui, _stage: &mut Stage) {
+        rows(ui, "keys", |ui| {
+            for (key, about) in KEYS {
+                ui.monospace(key);
+                ui.label(about);
+                ui.end_row();
+            }
+        });
+    }
+}

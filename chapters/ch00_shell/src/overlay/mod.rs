@@ -1,0 +1,206 @@
+//! The overlay: a panel at the left with collapsible sections, each section a file with a
+//! name and a `show`, and a table of properties at the bottom. It draws nothing over the
+//! scene; what is left of the window is the scene's.
+
+mod counts;
+mod errors;
+mod format;
+mod keys;
+mod painter;
+mod plan;
+mod properties;
+mod setup;
+mod speed;
+mod style;
+mod transport;
+mod view;
+
+use glam::Vec2;
+use winit::event::WindowEvent;
+use winit::window::Window;
+
+use crate::camera::Viewport;
+use crate::gpu::Gpu;
+use crate::render::Theme;
+use crate::stage::Stage;
+use painter::Painter;
+use properties::Properties;
+
+/// Width of the left panel at the start, points.
+const WIDTH: f32 = 304.0;
+
+/// A section of the left panel.
+pub trait Section {
+    /// Its headline.
+    fn name(&self) -> &'static str;
+
+    /// Whether it is unfolded at the start.
+    fn is_open_at_start(&self) -> bool;
+
+    /// Shows it and does what its user wants.
+    fn show(&mut self, ui: &mut egui::Ui, stage: &mut Stage);
+}
+
+/// The overlay's state between frames.
+pub struct Overlay {
+    context: egui::Context,
+    input: egui_winit::State,
+    painter: Painter,
+    sections: Vec<Box<dyn Section>>,
+    properties: Properties,
+    theme: Option<Theme>,
+}
+
+/// A frame of the overlay, to be painted over the scene.
+pub struct Layout {
+    output: egui::FullOutput,
+    /// What is left for the scene.
+    pub viewport: Viewport,
+}
+
+impl Layout {
+    pub fn drop_it(mut self) { self.output.textures_delta.clear(); }
+    /// Pixels per point of the screen.
+    pub fn scale(&self) -> f32 {
+        self.output.pixels_per_point
+    }
+}
+
+impl Overlay {
+    /// For this window; pictures have this format.
+    pub fn new(gpu: &Gpu, window: &Window, format: wgpu::TextureFormat) -> Self {
+        let context = egui::Context::default();
+        let most = gpu.device.limits().max_texture_dimension_2d as usize;
+        #[expect(clippy::cast_possible_truncation, reason = "a factor such as 1.5")]
+        let scale = window.scale_factor() as f32;
+        let input = egui_winit::State::new(
+            context.clone(),
+            egui::ViewportId::ROOT,
+            window,
+            Some(scale),
+            None,
+            Some(most),
+        );
+        Self {
+            context,
+            input,
+            painter: Painter::new(gpu, format),
+            sections: vec![
+                Box::new(speed::Speed),
+                Box::new(setup::Setup),
+                Box::new(errors::Errors),
+                Box::new(counts::Counts),
+                Box::new(view::View),
+                Box::new(plan::Plan),
+                Box::new(keys::Keys),
+            ],
+            properties: Properties::default(),
+            theme: None,
+        }
+    }
+
+    /// Takes an event; whether it was meant for the overlay.
+    pub fn on_event(&mut self, window: &Window, event: &WindowEvent) -> bool {
+        let consumed = self.input.on_window_event(window, event).consumed;
+        match event {
+            // Keys are the overlay's only while someone types into it.
+            WindowEvent::KeyboardInput { .. } => self.context.text_edit_focused(),
+            _ => consumed,
+        }
+    }
+
+    /// Lays the overlay out and lets it act on the stage.
+    pub fn lay_out(&mut self, window: &Window, size: [u32; 2], stage: &mut Stage) -> Layout {
+        if self.theme != Some(stage.theme) {
+            self.theme = Some(stage.theme);
+            style::apply(&self.context, stage.theme);
+        }
+        let input = self.input.take_egui_input(window);
+        let context = self.context.clone();
+        let mut free = egui::Rect::ZERO;
+        let mut output = context.run_ui(input, |ui| free = self.show(ui, stage));
+        let platform = std::mem::take(&mut output.platform_output);
+        self.input.handle_platform_output(window, platform);
+        Layout {
+            viewport: viewport(free, output.pixels_per_point, size),
+            output,
+        }
+    }
+
+    /// Paints a layout over the picture.
+    pub fn paint(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        picture: &wgpu::TextureView,
+        size: [u32; 2],
+        layout: Layout,
+    ) {
+        let output = layout.output;
+        let scale = output.pixels_per_point;
+        let triangles = self.context.tessellate(output.shapes, scale);
+        let screen = egui_wgpu::ScreenDescriptor {
+            size_in_pixels: size,
+            pixels_per_point: scale,
+        };
+        self.painter.paint(
+            gpu,
+            encoder,
+            picture,
+            &triangles,
+            output.textures_delta,
+            &screen,
+        );
+    }
+
+    /// All panels; gives the rectangle that they leave free, in points.
+    fn show(&mut self, ui: &mut egui::Ui, stage: &mut Stage) -> egui::Rect {
+        let mut is_shown = stage.shows_overlay;
+        egui::Panel::left("overlay")
+            .default_size(WIDTH)
+            .size_range(240.0..=520.0)
+            .drag_to_open(false)
+            .show_collapsible(ui, &mut is_shown, |ui| self.show_sections(ui, stage));
+        stage.shows_overlay = is_shown;
+        if stage.shows_overlay && self.properties.is_table_shown() {
+            self.properties.show_table(ui, stage);
+        }
+        ui.available_rect_before_wrap()
+    }
+
+    fn show_sections(&mut self, ui: &mut egui::Ui, stage: &mut Stage) {
+        transport::show(ui, stage);
+        ui.separator();
+        egui::ScrollArea::vertical()
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                for section in &mut self.sections {
+                    fold(ui, section.as_mut(), stage);
+                }
+                fold(ui, &mut self.properties, stage);
+            });
+    }
+}
+
+/// A section under its headline.
+fn fold(ui: &mut egui::Ui, section: &mut dyn Section, stage: &mut Stage) {
+    egui::CollapsingHeader::new(egui::RichText::new(section.name()).strong())
+        .default_open(section.is_open_at_start())
+        .show_unindented(ui, |ui| {
+            section.show(ui, stage);
+            ui.add_space(4.0);
+        });
+}
+
+/// A rectangle in points as a viewport in pixels, inside the picture and never empty.
+fn viewport(free: egui::Rect, scale: f32, size: [u32; 2]) -> Viewport {
+    let size = Viewport::whole(size).size;
+    let low = Vec2::new(free.min.x, free.min.y) * scale;
+    let high = Vec2::new(free.max.x, free.max.y) * scale;
+    let origin = low.round().clamp(Vec2::ZERO, size - 1.0);
+    let end = high.round().clamp(origin + 1.0, size);
+    Viewport {
+        origin,
+        size: end - origin,
+    }
+}

@@ -1,0 +1,126 @@
+//! Bodies as the bodies' shader wants them: one instance a body, sorted by what is drawn
+//! with the same mesh and pipeline.
+
+use std::ops::Range;
+
+use ch00_scenes::Shape;
+use glam::Vec3;
+
+use super::surroundings::Surroundings;
+use super::theme::{Colors, body_color};
+use crate::Session;
+
+/// A body in the instance buffer.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Instance {
+    position: [f32; 3],
+    shape: u32,
+    orientation: [f32; 4],
+    size: [f32; 4],
+    color: [f32; 4],
+}
+
+/// Bodies drawn in one go: one mesh, and moving or static.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// Which mesh: 0 sphere, 1 box, 2 capsule, 3 cylinder.
+    pub mesh: usize,
+    /// Whether they are static.
+    pub is_static: bool,
+    /// Their instances.
+    pub range: Range<u32>,
+}
+
+/// Instances of all bodies but walls, and their groups. Kept over frames for its memory.
+#[derive(Debug, Default)]
+pub struct Instances {
+    sorted: [Vec<Instance>; 8],
+    /// All instances, group after group.
+    pub all: Vec<Instance>,
+    /// The groups that are not empty.
+    pub groups: Vec<Group>,
+}
+
+impl Instances {
+    /// Fills it with the bodies as they are `alpha` of the way from the last state but one to
+    /// the last; `picked` glows.
+    pub fn fill(
+        &mut self,
+        session: &Session,
+        alpha: f64,
+        picked: Option<usize>,
+        surroundings: &Surroundings,
+        colors: &Colors,
+    ) {
+        self.sorted.iter_mut().for_each(Vec::clear);
+        for (i, body) in session.scene().bodies.iter().enumerate() {
+            if surroundings.is_wall(i) {
+                continue;
+            }
+            let (mesh, size) = mesh_and_size(&body.shape);
+            let (position, orientation) = session.pose(i, alpha);
+            let color = if body.is_static() {
+                colors.ground
+            } else {
+                body_color(i)
+            };
+            let glow = if picked == Some(i) { 1.0 } else { 0.0 };
+            let group = mesh + if body.is_static() { 4 } else { 0 };
+            self.sorted[group].push(Instance {
+                position: position.as_vec3().to_array(),
+                shape: [0, 1, 2, 3][mesh],
+                orientation: orientation.as_quat().to_array(),
+                size,
+                color: color.extend(glow).to_array(),
+            });
+        }
+        self.join();
+    }
+
+    fn join(&mut self) {
+        self.all.clear();
+        self.groups.clear();
+        for (i, instances) in self.sorted.iter().enumerate() {
+            let start = count(self.all.len());
+            self.all.extend_from_slice(instances);
+            let range = start..count(self.all.len());
+            if !range.is_empty() {
+                self.groups.push(Group {
+                    mesh: i % 4,
+                    is_static: i >= 4,
+                    range,
+                });
+            }
+        }
+    }
+}
+
+/// Which mesh a shape has, and how it is scaled: what multiplies a vertex's position, and
+/// what its `axis` is multiplied by.
+fn mesh_and_size(shape: &Shape) -> (usize, [f32; 4]) {
+    let round = |radius: f64, half_height: f64| {
+        let size = glam::DVec2::new(radius, half_height).as_vec2();
+        Vec3::splat(size.x).extend(size.y).to_array()
+    };
+    match *shape {
+        Shape::Sphere { radius } => (0, round(radius, 0.0)),
+        Shape::Box { half_extents } => (1, half_extents.as_vec3().extend(0.0).to_array()),
+        Shape::Capsule {
+            radius,
+            half_height,
+        } => (2, round(radius, half_height)),
+        Shape::Cylinder {
+            radius,
+            half_height,
+        } => (3, round(radius, half_height)),
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "memory ends before 2³² bodies"
+)]
+fn count(i: usize) -> u32 {
+    i as u32
+}

@@ -1,0 +1,140 @@
+//! Lines: what an engine shows of its inner state, edges of walls, the pull of the mouse.
+//! Each is drawn twice: fully where nothing hides it, and faintly through everything.
+
+use ch00_scenes::Line;
+use glam::Vec3;
+
+use super::buffer::GrowingBuffer;
+use super::pipeline::{PipelineMaker, Recipe};
+use super::shaders;
+use super::surroundings::{Face, Surroundings};
+use super::theme::Colors;
+
+/// A line with a width, as the shader wants it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Stroke {
+    /// From, m.
+    pub from: [f32; 3],
+    /// Points of the screen.
+    pub width: f32,
+    /// To, m.
+    pub to: [f32; 3],
+    /// sRGB and opacity.
+    pub color: [u8; 4],
+}
+
+const STROKE: [wgpu::VertexAttribute; 4] =
+    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32, 2 => Float32x3, 3 => Unorm8x4];
+
+/// Strokes and the two pipelines that draw them.
+pub struct Lines {
+    strokes: GrowingBuffer,
+    count: u32,
+    full: wgpu::RenderPipeline,
+    through: wgpu::RenderPipeline,
+}
+
+impl Lines {
+    /// Without lines.
+    pub fn new(maker: &PipelineMaker) -> Self {
+        let layout = wgpu::VertexBufferLayout {
+            array_stride: size_of::<Stroke>() as u64,
+            step_mode: wgpu::VertexStepMode::Instance,
+            attributes: &STROKE,
+        };
+        let pipeline = |depth_compare, opacity| {
+            maker.make(&Recipe {
+                shader: shaders::LINES,
+                entries: ["vs_line", "fs_line"],
+                buffers: &[Some(layout.clone())],
+                topology: wgpu::PrimitiveTopology::TriangleStrip,
+                cull: None,
+                depth_compare,
+                hides: false,
+                is_translucent: true,
+                constants: &[("opacity", opacity)],
+            })
+        };
+        Self {
+            strokes: GrowingBuffer::new(maker.device, "lines", wgpu::BufferUsages::VERTEX),
+            count: 0,
+            full: pipeline(wgpu::CompareFunction::GreaterEqual, 1.0),
+            through: pipeline(wgpu::CompareFunction::Always, 0.3),
+        }
+    }
+
+    /// Takes the lines of a frame.
+    pub fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, strokes: &[Stroke]) {
+        self.strokes.write(device, queue, strokes);
+        // More than 2³² lines would draw none.
+        self.count = u32::try_from(strokes.len()).unwrap_or(0);
+    }
+
+    /// Draws them over what was drawn before.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass) {
+        if self.count == 0 {
+            return;
+        }
+        pass.set_vertex_buffer(0, self.strokes.slice());
+        for pipeline in [&self.through, &self.full] {
+            pass.set_pipeline(pipeline);
+            pass.draw(0..4, 0..self.count);
+        }
+    }
+}
+
+/// A line of an engine's layer.
+#[must_use]
+pub fn stroke_of(line: &Line) -> Stroke {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to 0 … 255"
+    )]
+    let part = |c: f32| (c.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let [r, g, b] = line.color;
+    Stroke {
+        from: line.from,
+        width: 1.5,
+        to: line.to,
+        color: [part(r), part(g), part(b), 255],
+    }
+}
+
+/// The mouse's spring.
+#[must_use]
+pub fn stroke_between(from: Vec3, to: Vec3) -> Stroke {
+    Stroke {
+        from: from.to_array(),
+        width: 3.0,
+        to: to.to_array(),
+        color: [255, 210, 90, 255],
+    }
+}
+
+/// The edges of those walls' inner faces that `eye` sees from the inside.
+pub fn wall_edges(
+    surroundings: &Surroundings,
+    eye: Vec3,
+    colors: &Colors,
+) -> impl Iterator<Item = Stroke> {
+    let color = colors.edge_display;
+    let is_seen = move |face: &&Face| face.normal.dot(eye - face.centre) > 0.0;
+    let edges_of = move |face: &Face| {
+        let corner = |x: f32, y: f32| (face.centre + x * face.across + y * face.up).to_array();
+        let corners = [
+            corner(-1.0, -1.0),
+            corner(1.0, -1.0),
+            corner(1.0, 1.0),
+            corner(-1.0, 1.0),
+        ];
+        [(0, 1), (1, 2), (2, 3), (3, 0)].map(|(i, j)| Stroke {
+            from: corners[i],
+            width: 1.2,
+            to: corners[j],
+            color,
+        })
+    };
+    surroundings.wall_faces.iter().filter(is_seen).flat_map(edges_of)
+}

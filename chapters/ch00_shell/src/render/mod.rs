@@ -1,0 +1,191 @@
+//! The renderer: draws a session's bodies, lit and with shadows, onto any texture. The window
+//! and the screenshot use the same one. A frame is: write what has changed, draw depths as
+//! the sun sees them, draw bodies, scenery and lines as the camera sees them.
+
+mod bindings;
+mod bodies;
+mod buffer;
+mod frame;
+mod instances;
+pub mod lines;
+mod meshes;
+mod pipeline;
+mod quality;
+mod scenery;
+pub mod shaders;
+mod shadow;
+mod surroundings;
+mod targets;
+mod theme;
+
+pub use frame::grid_cell;
+pub use quality::Quality;
+pub use surroundings::Surroundings;
+pub use theme::Theme;
+
+use crate::Session;
+use crate::camera::{Camera, Viewport};
+use crate::gpu::Gpu;
+use bindings::{Bindings, Layouts};
+use bodies::Bodies;
+use frame::FrameUniform;
+use instances::Instances;
+use lines::{Lines, Stroke};
+use pipeline::PipelineMaker;
+use scenery::Scenery;
+use shadow::ShadowMap;
+use targets::Targets;
+
+/// What to draw.
+pub struct Picture<'a> {
+    /// The bodies.
+    pub session: &'a Session,
+    /// How far from the last state but one (0) to the last (1).
+    pub alpha: f64,
+    /// From where.
+    pub camera: &'a Camera,
+    /// Into what part of the window.
+    pub viewport: Viewport,
+    /// Pixels per point of the screen.
+    pub scale: f32,
+    /// In which colours.
+    pub theme: Theme,
+    /// The body that glows.
+    pub picked: Option<usize>,
+    /// Lines besides the walls' edges.
+    pub strokes: &'a [Stroke],
+}
+
+/// Everything on the device that a picture needs.
+pub struct Renderer {
+    quality: Quality,
+    format: wgpu::TextureFormat,
+    bindings: Bindings,
+    shadow: ShadowMap,
+    bodies: Bodies,
+    scenery: Scenery,
+    lines: Lines,
+    targets: Option<Targets>,
+    surroundings: Surroundings,
+    instances: Instances,
+    strokes: Vec<Stroke>,
+}
+
+impl Renderer {
+    /// For pictures in a format that is not sRGB: shaders write the display's values.
+    #[must_use]
+    pub fn new(
+        gpu: &Gpu,
+        format: wgpu::TextureFormat,
+        quality: Quality,
+        surroundings: Surroundings,
+    ) -> Self {
+        let device = &gpu.device;
+        let layouts = Layouts::new(device);
+        let shadow = ShadowMap::new(device, &layouts.shadow, &quality);
+        let maker = PipelineMaker {
+            device,
+            layout: &layouts.scene,
+            format,
+            quality: &quality,
+        };
+        let bodies = Bodies::new(&maker, &gpu.queue);
+        let scenery = Scenery::new(&maker);
+        let lines = Lines::new(&maker);
+        let mut renderer = Self {
+            bindings: Bindings::new(device, &layouts, &shadow),
+            quality,
+            format,
+            shadow,
+            bodies,
+            scenery,
+            lines,
+            targets: None,
+            surroundings: surroundings.clone(),
+            instances: Instances::default(),
+            strokes: Vec::new(),
+        };
+        renderer.set_surroundings(gpu, surroundings);
+        renderer
+    }
+
+    /// Takes over another scene's surroundings.
+    pub fn set_surroundings(&mut self, gpu: &Gpu, surroundings: Surroundings) {
+        self.scenery.write(&gpu.device, &gpu.queue, &surroundings);
+        self.surroundings = surroundings;
+    }
+
+    /// Draws a picture of `size` pixels, neither of them 0, into `view`.
+    pub fn draw(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        view: &wgpu::TextureView,
+        size: [u32; 2],
+        picture: &Picture,
+    ) {
+        self.write(gpu, picture);
+        self.draw_shadow(encoder);
+        self.draw_scene(gpu, encoder, view, size, picture.viewport);
+    }
+
+    /// Everything that has changed since the last frame.
+    fn write(&mut self, gpu: &Gpu, picture: &Picture) {
+        let (device, queue) = (&gpu.device, &gpu.queue);
+        let colors = picture.theme.colors();
+        let uniform = FrameUniform::new(
+            picture.camera,
+            picture.viewport,
+            picture.scale,
+            &self.surroundings,
+            picture.theme,
+            self.quality.shadow_size,
+        );
+        self.bindings.write(queue, &uniform);
+        self.instances.fill(
+            picture.session,
+            picture.alpha,
+            picture.picked,
+            &self.surroundings,
+            &colors,
+        );
+        self.bodies
+            .write(device, queue, &self.quality, &self.instances);
+        self.strokes.clear();
+        let eye = picture.camera.position();
+        self.strokes
+            .extend(lines::wall_edges(&self.surroundings, eye, &colors));
+        self.strokes.extend_from_slice(picture.strokes);
+        self.lines.write(device, queue, &self.strokes);
+    }
+
+    fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder) {
+        let mut pass = self.shadow.begin(encoder);
+        pass.set_bind_group(0, &self.bindings.shadow, &[]);
+        if !skip("shadow") { self.bodies.draw_depths(&mut pass); }
+    }
+
+    fn draw_scene(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        view: &wgpu::TextureView,
+        size: [u32; 2],
+        viewport: Viewport,
+    ) {
+        let fitting = self.targets.take().filter(|targets| targets.fits(size));
+        let targets =
+            fitting.unwrap_or_else(|| Targets::new(&gpu.device, self.format, &self.quality, size));
+        let mut pass = targets.begin(encoder, view);
+        let (origin, extent) = (viewport.origin, viewport.size);
+        pass.set_viewport(origin.x, origin.y, extent.x, extent.y, 0.0, 1.0);
+        pass.set_bind_group(0, &self.bindings.scene, &[]);
+        if !skip("bodies") { self.bodies.draw(&mut pass); }
+        self.scenery.draw(&mut pass);
+        if !skip("lines") { self.lines.draw(&mut pass); }
+        drop(pass);
+        self.targets = Some(targets);
+    }
+}
+
+pub fn skip(what: &str) -> bool { std::env::var("SKIP").is_ok_and(|v| v.split(',').any(|w| w == what)) }

@@ -1,0 +1,116 @@
+//! What is around the bodies: background, ground and walls.
+
+use glam::Vec3;
+
+use super::buffer::GrowingBuffer;
+use super::pipeline::{PipelineMaker, Recipe};
+use super::shaders;
+use super::surroundings::{Face, Surroundings};
+
+/// A corner of a wall's face.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+struct WallVertex {
+    position: [f32; 3],
+    normal: [f32; 3],
+    /// Horizontal and vertical position along the face, m.
+    across: [f32; 2],
+}
+
+const WALL: [wgpu::VertexAttribute; 3] =
+    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x2];
+
+/// Background, ground and walls.
+pub struct Scenery {
+    sky: wgpu::RenderPipeline,
+    ground: wgpu::RenderPipeline,
+    walls: wgpu::RenderPipeline,
+    wall_vertices: GrowingBuffer,
+    wall_vertex_count: u32,
+}
+
+impl Scenery {
+    /// Without walls.
+    pub fn new(maker: &PipelineMaker) -> Self {
+        let shadow_reach = [("shadow_reach", f64::from(maker.quality.shadow_reach))];
+        let plain = Recipe {
+            shader: shaders::SKY,
+            entries: ["vs_sky", "fs_sky"],
+            buffers: &[],
+            topology: wgpu::PrimitiveTopology::TriangleStrip,
+            cull: None,
+            depth_compare: wgpu::CompareFunction::GreaterEqual,
+            hides: false,
+            is_translucent: false,
+            constants: &[],
+        };
+        let ground = Recipe {
+            shader: shaders::GROUND,
+            entries: ["vs_ground", "fs_ground"],
+            is_translucent: true,
+            constants: &shadow_reach,
+            ..plain
+        };
+        let wall_layout = wgpu::VertexBufferLayout {
+            array_stride: size_of::<WallVertex>() as u64,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &WALL,
+        };
+        let walls = Recipe {
+            shader: shaders::WALLS,
+            entries: ["vs_wall", "fs_wall"],
+            buffers: &[Some(wall_layout)],
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            cull: Some(wgpu::Face::Back),
+            is_translucent: true,
+            ..plain
+        };
+        Self {
+            sky: maker.make(&plain),
+            ground: maker.make(&ground),
+            walls: maker.make(&walls),
+            wall_vertices: GrowingBuffer::new(maker.device, "walls", wgpu::BufferUsages::VERTEX),
+            wall_vertex_count: 0,
+        }
+    }
+
+    /// Takes the walls of a scene.
+    pub fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, around: &Surroundings) {
+        let vertices: Vec<WallVertex> = around.wall_faces.iter().flat_map(triangles).collect();
+        self.wall_vertices.write(device, queue, &vertices);
+        // More than 2³² corners of walls would draw none.
+        self.wall_vertex_count = u32::try_from(vertices.len()).unwrap_or(0);
+    }
+
+    /// Draws background, ground and walls over and behind the bodies drawn before.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass) {
+        pass.set_pipeline(&self.sky);
+        if !super::skip("sky") { pass.draw(0..3, 0..1); }
+        pass.set_pipeline(&self.ground);
+        if !super::skip("ground") { pass.draw(0..4, 0..1); }
+        if self.wall_vertex_count > 0 && !super::skip("walls") {
+            pass.set_pipeline(&self.walls);
+            pass.set_vertex_buffer(0, self.wall_vertices.slice());
+            pass.draw(0..self.wall_vertex_count, 0..1);
+        }
+    }
+}
+
+/// Two triangles, anticlockwise from the side to look at.
+fn triangles(face: &Face) -> [WallVertex; 6] {
+    let faces_viewer = face.across.cross(face.up).dot(face.normal) > 0.0;
+    let across = if faces_viewer {
+        face.across
+    } else {
+        -face.across
+    };
+    let horizontal = face.across.normalize_or(Vec3::X);
+    [(-1, -1), (1, -1), (1, 1), (-1, -1), (1, 1), (-1, 1)].map(|(x, y): (i8, i8)| {
+        let position = face.centre + f32::from(x) * across + f32::from(y) * face.up;
+        WallVertex {
+            position: position.to_array(),
+            normal: face.normal.to_array(),
+            across: [position.dot(horizontal), position.y],
+        }
+    })
+}

@@ -1,0 +1,103 @@
+//! The shadow map: a depth picture of the bodies as the sun sees them, drawn first in every
+//! frame. A point that the sun sees farther away than this picture says is in shadow.
+
+use super::bodies::vertex_layouts;
+use super::quality::Quality;
+use super::shaders;
+use super::targets::DEPTH_FORMAT;
+
+/// The depth picture, how to compare with it, and the pipeline that draws it.
+pub struct ShadowMap {
+    /// The depth picture.
+    pub view: wgpu::TextureView,
+    /// Compares a depth with the four texels around a point and mixes the answers.
+    pub sampler: wgpu::Sampler,
+    pipeline: wgpu::RenderPipeline,
+}
+
+impl ShadowMap {
+    /// `layout` binds the frame's uniform alone.
+    pub fn new(device: &wgpu::Device, layout: &wgpu::PipelineLayout, quality: &Quality) -> Self {
+        let texture = device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("shadow map"),
+            size: wgpu::Extent3d {
+                width: quality.shadow_size,
+                height: quality.shadow_size,
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: DEPTH_FORMAT,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        });
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("shadow map"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            compare: Some(wgpu::CompareFunction::LessEqual),
+            ..Default::default()
+        });
+        Self {
+            view: texture.create_view(&wgpu::TextureViewDescriptor::default()),
+            sampler,
+            pipeline: pipeline(device, layout),
+        }
+    }
+
+    /// Begins drawing it, with its pipeline set.
+    pub fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("shadow"),
+            color_attachments: &[],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.view,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(1.0),
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: None,
+            }),
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        });
+        pass.set_pipeline(&self.pipeline);
+        pass
+    }
+}
+
+fn pipeline(device: &wgpu::Device, layout: &wgpu::PipelineLayout) -> wgpu::RenderPipeline {
+    let module = shaders::SHADOW.module(device);
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("shadow"),
+        layout: Some(layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some("vs_shadow"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &vertex_layouts(),
+        },
+        primitive: wgpu::PrimitiveState {
+            cull_mode: Some(wgpu::Face::Back),
+            ..Default::default()
+        },
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH_FORMAT,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Less),
+            stencil: wgpu::StencilState::default(),
+            // Keeps a surface from shading itself where the sun grazes it.
+            bias: wgpu::DepthBiasState {
+                constant: 1,
+                slope_scale: 1.5,
+                clamp: 0.0,
+            },
+        }),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: None,
+        multiview_mask: None,
+        cache: None,
+    })
+}

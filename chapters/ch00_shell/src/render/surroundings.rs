@@ -1,0 +1,244 @@
+//! What stands around the moving bodies, found once when a scene is loaded: which static
+//! boxes are walls (drawn as glass, so that they hide nothing), how high the ground is, and
+//! the box about everything that a camera should see at the start.
+
+use ch00_scenes::{Body, Scene, Shape};
+use glam::{DMat3, DVec3, Vec3};
+
+/// A rectangle in the world with a side to look at it from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Face {
+    /// Its middle, m.
+    pub centre: Vec3,
+    /// Unit vector out of the side to look at.
+    pub normal: Vec3,
+    /// Half of its width, m.
+    pub across: Vec3,
+    /// Half of its height, m.
+    pub up: Vec3,
+}
+
+/// What stands around the moving bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surroundings {
+    /// For each body of the scene as loaded: whether it is drawn as a wall.
+    is_wall: Vec<bool>,
+    /// The inner faces of the walls.
+    pub wall_faces: Vec<Face>,
+    /// Whether anything static but walls is there.
+    pub has_floor: bool,
+    /// Height at which the ground is drawn, m.
+    pub ground_height: f32,
+    /// Lower corner of the box to see at the start, m.
+    pub low: Vec3,
+    /// Upper corner of the box to see at the start, m.
+    pub high: Vec3,
+}
+
+impl Surroundings {
+    /// Looks at the scene as it starts.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let (resting, moving): (Vec<&Body>, Vec<&Body>) =
+            scene.bodies.iter().partition(|body| body.is_static());
+        let moving_box = box_about(&moving);
+        let faces: Vec<Option<Face>> = scene
+            .bodies
+            .iter()
+            .map(|body| wall_face(body, &moving, moving_box))
+            .collect();
+        let floors: Vec<&Body> = scene
+            .bodies
+            .iter()
+            .zip(&faces)
+            .filter(|(body, face)| body.is_static() && face.is_none())
+            .map(|(body, _)| body)
+            .collect();
+        let (low, high) = worth_seeing(&moving, &floors, moving_box);
+        let ground_height = if floors.is_empty() {
+            low.y - 0.25 * (high.y - low.y)
+        } else {
+            box_about(&resting).0.as_vec3().y
+        };
+        Self {
+            is_wall: faces.iter().map(Option::is_some).collect(),
+            wall_faces: faces.into_iter().flatten().collect(),
+            has_floor: !floors.is_empty(),
+            ground_height,
+            low,
+            high,
+        }
+    }
+
+    /// Whether body `i` is drawn as a wall. Bodies thrown in later never are.
+    #[must_use]
+    pub fn is_wall(&self, i: usize) -> bool {
+        self.is_wall.get(i).copied().unwrap_or(false)
+    }
+
+    /// The middle of the box to see at the start, m.
+    #[must_use]
+    pub fn centre(&self) -> Vec3 {
+        0.5 * (self.low + self.high)
+    }
+
+    /// Radius of the sphere about the box to see at the start, m.
+    #[must_use]
+    pub fn radius(&self) -> f32 {
+        (0.5 * (self.high - self.low).length()).max(0.05)
+    }
+}
+
+/// The inner face of a body that is a wall: a static box with an upright face which has all
+/// moving bodies in front of it and is about as wide as they are spread.
+fn wall_face(body: &Body, moving: &[&Body], moving_box: (DVec3, DVec3)) -> Option<Face> {
+    let Shape::Box { half_extents } = body.shape else {
+        return None;
+    };
+    if !body.is_static() || moving.is_empty() {
+        return None;
+    }
+    let axes = DMat3::from_quat(body.orientation);
+    let spread = moving_box.1 - moving_box.0;
+    for axis in 0..3 {
+        for sign in [-1.0, 1.0] {
+            let normal = sign * axes.col(axis);
+            let centre = body.position + normal * half_extents[axis];
+            let is_upright = normal.y.abs() < 0.5;
+            let holds_all = || {
+                moving
+                    .iter()
+                    .all(|other| (other.position - centre).dot(normal) > 0.0)
+            };
+            let (across, up) = edges(&axes, half_extents, axis);
+            let is_wide = 2.5 * across.length() > spread.x.max(spread.z);
+            if is_upright && is_wide && holds_all() {
+                return Some(Face {
+                    centre: centre.as_vec3(),
+                    normal: normal.as_vec3(),
+                    across: across.as_vec3(),
+                    up: up.as_vec3(),
+                });
+            }
+        }
+    }
+    None
+}
+
+/// Half of the width and half of the height of the box's face across `axis`.
+fn edges(axes: &DMat3, half_extents: DVec3, axis: usize) -> (DVec3, DVec3) {
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let a = axes.col(i) * half_extents[i];
+    let b = axes.col(j) * half_extents[j];
+    if axes.col(i).y.abs() < axes.col(j).y.abs() {
+        (a, b)
+    } else {
+        (b, a)
+    }
+}
+
+/// The box about the moving bodies and those floors that are not much larger; of a larger
+/// floor only its height, so that the bodies can be seen to land.
+fn worth_seeing(moving: &[&Body], floors: &[&Body], moving_box: (DVec3, DVec3)) -> (Vec3, Vec3) {
+    let (mut low, mut high) = if moving.is_empty() {
+        box_about(floors)
+    } else {
+        moving_box
+    };
+    let size = (high - low).length();
+    for floor in floors {
+        let (floor_low, floor_high) = box_about(&[floor]);
+        if (floor_high - floor_low).length() < 4.0 * size {
+            low = low.min(DVec3::new(floor_low.x, floor_high.y, floor_low.z));
+            high = high.max(floor_high);
+        } else {
+            low.y = low.y.min(floor_high.y.max(low.y - size));
+        }
+    }
+    if low.is_finite() && high.is_finite() {
+        (low.as_vec3(), high.as_vec3())
+    } else {
+        (Vec3::NEG_ONE, Vec3::ONE)
+    }
+}
+
+/// Lower and upper corner of the box about these bodies; infinite about none.
+fn box_about(bodies: &[&Body]) -> (DVec3, DVec3) {
+    let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    bodies.iter().fold(empty, |(low, high), body| {
+        let reach = reach(body);
+        (
+            low.min(body.position - reach),
+            high.max(body.position + reach),
+        )
+    })
+}
+
+/// How far a body reaches along each axis of the world, m.
+fn reach(body: &Body) -> DVec3 {
+    let axes = DMat3::from_quat(body.orientation);
+    match body.shape {
+        Shape::Box { half_extents } => {
+            let reach_along = |axis: usize| axes.col(axis).abs() * half_extents[axis];
+            reach_along(0) + reach_along(1) + reach_along(2)
+        }
+        _ => DVec3::splat(body.shape.bounding_radius()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn open_box_with_balls() -> Scene {
+        let mut scene = Scene::new("box");
+        let mut add_static = |half_extents, position| {
+            let shape = Shape::Box { half_extents };
+            scene.bodies.push(Body::new(shape, 0.0, position));
+        };
+        add_static(DVec3::new(2.0, 0.5, 2.0), DVec3::new(0.0, -0.5, 0.0));
+        add_static(DVec3::new(0.5, 5.0, 2.0), DVec3::new(2.0, 5.0, 0.0));
+        add_static(DVec3::new(0.5, 5.0, 2.0), DVec3::new(-2.0, 5.0, 0.0));
+        for x in [-1.0, 0.0, 1.0] {
+            let ball = Shape::Sphere { radius: 0.2 };
+            scene
+                .bodies
+                .push(Body::new(ball, 1.0, DVec3::new(x, 1.0, 0.0)));
+        }
+        scene
+    }
+
+    #[test]
+    fn upright_boxes_around_the_balls_are_walls_and_the_floor_is_not() {
+        let found = Surroundings::of(&open_box_with_balls());
+        let walls: Vec<bool> = (0..6).map(|i| found.is_wall(i)).collect();
+        assert_eq!(walls, [false, true, true, false, false, false]);
+        assert!(found.has_floor);
+        assert_eq!(found.wall_faces[0].normal, Vec3::NEG_X);
+        assert!((found.ground_height + 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_block_among_the_balls_is_no_wall() {
+        let mut scene = open_box_with_balls();
+        scene.bodies[1].position = DVec3::new(0.5, 5.0, 0.0);
+        scene.bodies[1].shape = Shape::Box {
+            half_extents: DVec3::new(0.1, 5.0, 2.0),
+        };
+        assert!(!Surroundings::of(&scene).is_wall(1));
+    }
+
+    #[test]
+    fn the_box_to_see_holds_the_balls_and_the_top_of_the_floor() {
+        let found = Surroundings::of(&open_box_with_balls());
+        assert!(found.low.y <= 0.0 && found.low.y > -0.5);
+        assert!(found.high.y >= 1.2);
+    }
+
+    #[test]
+    fn an_empty_scene_has_a_picture_too() {
+        let found = Surroundings::of(&Scene::new("empty"));
+        assert!(found.radius() > 0.0 && found.radius().is_finite());
+        assert!(!found.has_floor);
+    }
+}

@@ -1,0 +1,84 @@
+//! What is drawn into: a texture with several samples a pixel and its depth, both of the
+//! picture's size.
+
+use super::quality::Quality;
+
+/// Format of depths. Depth is reversed, 1 near and 0 infinitely far, which keeps its
+/// precision even over the whole distance.
+pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// Colour and depth for pictures of one size.
+pub struct Targets {
+    size: [u32; 2],
+    color: wgpu::TextureView,
+    depth: wgpu::TextureView,
+}
+
+impl Targets {
+    /// For pictures of so many pixels, neither of them 0.
+    pub fn new(
+        device: &wgpu::Device,
+        format: wgpu::TextureFormat,
+        quality: &Quality,
+        size: [u32; 2],
+    ) -> Self {
+        let view = |label, format| {
+            let texture = device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: wgpu::Extent3d {
+                    width: size[0],
+                    height: size[1],
+                    depth_or_array_layers: 1,
+                },
+                mip_level_count: 1,
+                sample_count: quality.samples,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+                view_formats: &[],
+            });
+            texture.create_view(&wgpu::TextureViewDescriptor::default())
+        };
+        Self {
+            size,
+            color: view("scene colour", format),
+            depth: view("scene depth", DEPTH_FORMAT),
+        }
+    }
+
+    /// Whether it fits pictures of this size.
+    pub fn fits(&self, size: [u32; 2]) -> bool {
+        self.size == size
+    }
+
+    /// Begins drawing; at the end the samples of each pixel are averaged into `picture`.
+    pub fn begin<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        picture: &wgpu::TextureView,
+    ) -> wgpu::RenderPass<'a> {
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("scene"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: if std::env::var("SAMPLES").as_deref() == Ok("1") { picture } else { &self.color },
+                depth_slice: None,
+                resolve_target: if std::env::var("SAMPLES").as_deref() == Ok("1") { None } else { Some(picture) },
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                    store: if std::env::var("SAMPLES").as_deref() == Ok("1") {wgpu::StoreOp::Store} else {wgpu::StoreOp::Discard},
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        })
+    }
+}

@@ -1,0 +1,129 @@
+//! A picture without a window: draws a session into a texture, reads it back, writes a PNG.
+
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::Path;
+
+use crate::camera::{Camera, Viewport};
+use crate::gpu::Gpu;
+use crate::render::{Picture, Quality, Renderer, Surroundings, Theme};
+use crate::{Session, ShellError};
+
+/// Width and height of the picture, pixels.
+pub const SIZE: [u32; 2] = [1280, 720];
+
+/// What the picture is drawn in and PNG stores: red, green, blue, opacity, a byte each.
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+const BYTES_PER_PIXEL: u32 = 4;
+
+/// Draws the session's last state from where the window's camera would start, and writes a
+/// PNG. Gives the name of the adapter that drew it.
+///
+/// # Errors
+/// [`ShellError::NoAdapter`] or [`ShellError::Graphics`] where it can't be drawn,
+/// [`ShellError::Write`] where it can't be written.
+pub fn save(session: &Session, path: &Path) -> Result<String, ShellError> {
+    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    let instance = wgpu::Instance::new(descriptor);
+    let gpu = pollster::block_on(Gpu::request(&instance, None))?;
+    let pixels = draw(&gpu, session)?;
+    write_png(path, &pixels).map_err(|source| ShellError::Write {
+        file: path.to_owned(),
+        source,
+    })?;
+    Ok(gpu.name)
+}
+
+/// The picture's pixels, row by row from the top.
+fn draw(gpu: &Gpu, session: &Session) -> Result<Vec<u8>, ShellError> {
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("screenshot"),
+        size: extent(),
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let surroundings = Surroundings::of(session.scene());
+    let viewport = Viewport::whole(SIZE);
+    let camera = Camera::framing(&surroundings, viewport);
+    let mut renderer = Renderer::new(gpu, FORMAT, Quality::CARD, surroundings);
+    let picture = Picture {
+        session,
+        alpha: 1.0,
+        camera: &camera,
+        viewport,
+        scale: 1.0,
+        theme: Theme::default(),
+        picked: None,
+        strokes: &[],
+    };
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    let view = texture.create_view(&Default::default());
+    renderer.draw(gpu, &mut encoder, &view, SIZE, &picture);
+    read_back(gpu, encoder, &texture)
+}
+
+/// Submits the commands, waits for them and copies the texture into memory.
+fn read_back(
+    gpu: &Gpu,
+    mut encoder: wgpu::CommandEncoder,
+    texture: &wgpu::Texture,
+) -> Result<Vec<u8>, ShellError> {
+    let row = SIZE[0] * BYTES_PER_PIXEL;
+    let padded_row = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("screenshot"),
+        size: u64::from(padded_row) * u64::from(SIZE[1]),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let layout = wgpu::TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(padded_row),
+        rows_per_image: None,
+    };
+    let target = wgpu::TexelCopyBufferInfo {
+        buffer: &buffer,
+        layout,
+    };
+    encoder.copy_texture_to_buffer(texture.as_image_copy(), target, extent());
+    gpu.queue.submit([encoder.finish()]);
+    let failed = |what: String| ShellError::Graphics(gpu.failure().unwrap_or(what));
+    // What went wrong, if anything did, shows when the range is asked for.
+    buffer.slice(..).map_async(wgpu::MapMode::Read, |_| {});
+    gpu.device
+        .poll(wgpu::PollType::wait_indefinitely())
+        .map_err(|error| failed(error.to_string()))?;
+    let mapped = buffer
+        .slice(..)
+        .get_mapped_range()
+        .map_err(|error| failed(error.to_string()))?;
+    let rows = mapped.chunks_exact(padded_row as usize);
+    let pixels = rows.flat_map(|bytes| &bytes[..row as usize]).copied();
+    let pixels = pixels.collect();
+    match gpu.failure() {
+        Some(what) => Err(ShellError::Graphics(what)),
+        None => Ok(pixels),
+    }
+}
+
+fn extent() -> wgpu::Extent3d {
+    wgpu::Extent3d {
+        width: SIZE[0],
+        height: SIZE[1],
+        depth_or_array_layers: 1,
+    }
+}
+
+fn write_png(path: &Path, pixels: &[u8]) -> std::io::Result<()> {
+    let file = BufWriter::new(File::create(path)?);
+    let mut encoder = png::Encoder::new(file, SIZE[0], SIZE[1]);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    Ok(writer.finish()?)
+}

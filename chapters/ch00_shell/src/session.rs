@@ -1,0 +1,409 @@
+//! A running scene: the scene, the engine that steps it, where its bodies were and are, and
+//! how well energy and momentum were kept. No window, no GPU and no overlay in it, so that
+//! the window, the headless runner and the tests run exactly the same steps.
+
+use std::time::Duration;
+
+use ch00_scenes::measures::Conserved;
+use ch00_scenes::{Body, Engine, EngineEntry, LoadError, Pull, Scene, Settings, State};
+use glam::{DQuat, DVec3};
+use web_time::Instant;
+
+use crate::history::History;
+
+/// A scene on an engine, at some step.
+pub struct Session {
+    scene: Scene,
+    /// How many bodies the scene had when it was loaded; the others were thrown in.
+    loaded_bodies: usize,
+    entry: EngineEntry,
+    settings: Settings,
+    engine: Box<dyn Engine>,
+    before: State,
+    now: State,
+    time: f64,
+    steps: u64,
+    step_time: Duration,
+    history: History,
+    /// Whether a body is being dragged.
+    pulled: bool,
+}
+
+impl Session {
+    /// Loads the scene into the engine; the step size is the scene's.
+    ///
+    /// # Errors
+    /// [`LoadError`] where the engine can't take the scene or the settings.
+    pub fn new(scene: Scene, entry: EngineEntry, settings: Settings) -> Result<Self, LoadError> {
+        let engine = (entry.load)(&scene, &settings)?;
+        let now = read(engine.as_ref());
+        Ok(Self {
+            history: History::new(&scene),
+            loaded_bodies: scene.bodies.len(),
+            scene,
+            entry,
+            settings,
+            engine,
+            before: now.clone(),
+            now,
+            time: 0.0,
+            steps: 0,
+            step_time: Duration::ZERO,
+            pulled: false,
+        })
+    }
+
+    /// Makes one step of `dt` seconds and reads the new state.
+    ///
+    /// `dt` must be positive and finite.
+    pub fn step_by(&mut self, dt: f64) {
+        self.step_time = self.advance(dt);
+        self.read_state();
+        self.time += dt;
+        self.steps += 1;
+        self.measure();
+    }
+
+    /// Makes one step of the scene's own size.
+    pub fn step(&mut self) {
+        self.step_by(self.scene.dt);
+    }
+
+    /// Starts the scene again with the same engine and settings; bodies thrown in are gone.
+    ///
+    /// # Errors
+    /// [`LoadError`] where the engine can't be loaded again; the session then stays as it is.
+    pub fn reset(&mut self) -> Result<(), LoadError> {
+        let mut scene = self.scene.clone();
+        scene.bodies.truncate(self.loaded_bodies);
+        *self = Self::new(scene, self.entry, self.settings.clone())?;
+        Ok(())
+    }
+
+    /// Goes on from the same state with another engine, or the same one with other settings.
+    /// A body that was being dragged is let go.
+    ///
+    /// # Errors
+    /// [`LoadError`] where it can't take the scene or the settings; the session then goes on
+    /// as before.
+    pub fn change_engine(
+        &mut self,
+        entry: EngineEntry,
+        settings: Settings,
+    ) -> Result<(), LoadError> {
+        let mut engine = (entry.load)(&self.scene, &settings)?;
+        engine.write_state(&self.now, self.scene.dt as f32);
+        self.engine = engine;
+        self.entry = entry;
+        self.settings = settings;
+        self.pulled = false;
+        self.reread();
+        Ok(())
+    }
+
+    /// Adds a body in mid-run, to the scene too, until the next reset; gives its index.
+    ///
+    /// # Errors
+    /// [`LoadError`] where the engine can't; the session then goes on without it.
+    pub fn add_body(&mut self, body: Body) -> Result<usize, LoadError> {
+        let index = self.engine.add_body(&body, self.scene.dt as f32)?;
+        let before = self.sums();
+        self.scene.bodies.push(body);
+        self.reread();
+        self.history.forgive(&before, &self.sums());
+        Ok(index)
+    }
+
+    /// Pulls a body from now on, or lets go.
+    pub fn pull(&mut self, pull: Option<Pull>) {
+        self.pulled = pull.is_some();
+        self.engine.pull(pull);
+    }
+
+    /// Sets the step size from the next step on, s; it must be positive and finite.
+    pub fn set_dt(&mut self, dt: f64) {
+        self.scene.dt = dt;
+    }
+
+    /// Where a body is drawn: `alpha` of the way from the last state but one (0) to the last
+    /// (1). Position in m; body to world.
+    ///
+    /// # Panics
+    /// If there is no such body.
+    #[must_use]
+    pub fn pose(&self, body: usize, alpha: f64) -> (DVec3, DQuat) {
+        let position = self.before.position[body].lerp(self.now.position[body], alpha);
+        let orientation = self.before.orientation[body].lerp(self.now.orientation[body], alpha);
+        (position, orientation)
+    }
+
+    /// The scene, with the bodies thrown in.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The engine, for its columns, contacts, layers, pass times and counters.
+    #[must_use]
+    pub fn engine(&self) -> &dyn Engine {
+        self.engine.as_ref()
+    }
+
+    /// The engine's entry in the chapter's list.
+    #[must_use]
+    pub fn entry(&self) -> EngineEntry {
+        self.entry
+    }
+
+    /// What the user chose.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The state one step ago; the same as [`Self::state_now`] before the first step.
+    #[must_use]
+    pub fn state_before(&self) -> &State {
+        &self.before
+    }
+
+    /// The state after the last step.
+    #[must_use]
+    pub fn state_now(&self) -> &State {
+        &self.now
+    }
+
+    /// Step size, s.
+    #[must_use]
+    pub fn dt(&self) -> f64 {
+        self.scene.dt
+    }
+
+    /// Simulated time since the start, s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Steps since the start.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Wall time of the last step: the engine alone, without reading or measuring.
+    #[must_use]
+    pub fn step_time(&self) -> Duration {
+        self.step_time
+    }
+
+    /// Energy and momentum errors so far.
+    #[must_use]
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// The engine's step and nothing else; gives its wall time.
+    fn advance(&mut self, dt: f64) -> Duration {
+        let start = Instant::now();
+        self.engine.step(dt as f32);
+        start.elapsed()
+    }
+
+    fn read_state(&mut self) {
+        std::mem::swap(&mut self.before, &mut self.now);
+        self.engine.read_state(&mut self.now);
+    }
+
+    /// After something other than a step has changed the state there is nothing to
+    /// interpolate.
+    fn reread(&mut self) {
+        self.engine.read_state(&mut self.now);
+        self.before.clone_from(&self.now);
+    }
+
+    fn measure(&mut self) {
+        if self.pulled {
+            let before = Conserved::of(&self.scene, &self.before);
+            self.history.forgive(&before, &self.sums());
+        }
+        if self.history.is_due(self.steps) {
+            self.history.record(&self.scene, &self.now, self.time);
+        }
+    }
+
+    fn sums(&self) -> Conserved {
+        Conserved::of(&self.scene, &self.now)
+    }
+}
+
+fn read(engine: &dyn Engine) -> State {
+    let mut state = State::default();
+    engine.read_state(&mut state);
+    state
+}
+
+#[cfg(test)]
+mod tests {
+    use ch00_scenes::{Shape, builtin};
+
+    use super::*;
+    use crate::test_engine::{FALLING, MOST_BODIES};
+
+    fn ball() -> Body {
+        Body::new(
+            Shape::Sphere { radius: 0.1 },
+            1.0,
+            DVec3::new(0.0, 10.0, 0.0),
+        )
+    }
+
+    /// One ball, 10 m up, at rest; steps of ¼ s.
+    fn one_ball() -> Session {
+        let mut scene = Scene::new("ball");
+        scene.gravity = DVec3::new(0.0, -8.0, 0.0);
+        scene.dt = 0.25;
+        scene.bodies.push(ball());
+        Session::new(scene, FALLING, Settings::defaults()).expect("it can fall")
+    }
+
+    fn height(session: &Session) -> f64 {
+        session.state_now().position[0].y
+    }
+
+    #[test]
+    fn before_the_first_step_both_states_are_the_start() {
+        let session = one_ball();
+        assert_eq!(session.state_before(), session.state_now());
+        assert_eq!((session.steps(), session.time()), (0, 0.0));
+    }
+
+    #[test]
+    fn a_step_moves_the_state_and_keeps_the_one_before() {
+        let mut session = one_ball();
+        session.step();
+        assert_eq!(session.state_before().position[0].y, 10.0);
+        assert_eq!(height(&session), 9.75);
+        assert_eq!((session.steps(), session.time()), (1, 0.25));
+    }
+
+    #[test]
+    fn halfway_between_two_states_a_ball_is_drawn_halfway() {
+        let mut session = one_ball();
+        session.step();
+        assert_eq!(session.pose(0, 0.5).0.y, 9.875);
+        assert_eq!(session.pose(0, 1.0).0.y, 9.75);
+    }
+
+    #[test]
+    fn a_reset_starts_again_with_the_step_size_as_set() {
+        let mut session = one_ball();
+        session.step();
+        session.set_dt(0.5);
+        session.reset().expect("it was loaded before");
+        assert_eq!((session.steps(), height(&session)), (0, 10.0));
+        assert_eq!(session.dt(), 0.5);
+        assert_eq!(session.history().samples().len(), 1);
+    }
+
+    #[test]
+    fn a_ball_thrown_in_falls_too_and_is_gone_after_a_reset() {
+        let mut session = one_ball();
+        session.step();
+        assert_eq!(session.add_body(ball()), Ok(1));
+        session.step();
+        assert_eq!(session.state_now().position[1].y, 9.75);
+        assert_eq!(session.pose(1, 0.0).0.y, 10.0);
+        session.reset().expect("it was loaded before");
+        assert_eq!(
+            (session.scene().bodies.len(), session.state_now().len()),
+            (1, 1)
+        );
+    }
+
+    #[test]
+    fn a_ball_thrown_in_is_no_energy_error() {
+        let mut session = one_ball();
+        session.step();
+        session.add_body(ball()).expect("there is room");
+        session.step();
+        let last = session.history().samples().back().expect("measured");
+        assert!(last.energy_error.is_some_and(|error| error.abs() < 1e-6));
+    }
+
+    #[test]
+    fn a_ball_that_the_engine_refuses_leaves_the_session_as_it_was() {
+        let mut scene = Scene::new("full");
+        scene.bodies = vec![ball(); MOST_BODIES];
+        let mut session = Session::new(scene, FALLING, Settings::defaults()).expect("it fits");
+        assert!(session.add_body(ball()).is_err());
+        assert_eq!(session.scene().bodies.len(), MOST_BODIES);
+        session.step();
+    }
+
+    #[test]
+    fn another_method_goes_on_from_the_same_state() {
+        let mut session = one_ball();
+        session.step();
+        let heavy = Settings::defaults().with_method("heavy");
+        session.change_engine(FALLING, heavy).expect("it has that");
+        assert_eq!((session.steps(), height(&session)), (1, 9.75));
+        session.step(); // 9.75 − 2 · ¼ − ½ · 16 · ¼²
+        assert_eq!(height(&session), 8.75);
+        assert_eq!(session.settings().method.as_deref(), Some("heavy"));
+    }
+
+    #[test]
+    fn an_engine_change_keeps_the_balls_thrown_in() {
+        let mut session = one_ball();
+        session.add_body(ball()).expect("there is room");
+        session.step();
+        let heavy = Settings::defaults().with_method("heavy");
+        session.change_engine(FALLING, heavy).expect("it has that");
+        assert_eq!(session.state_now().position[1].y, 9.75);
+    }
+
+    #[test]
+    fn a_method_that_is_not_there_leaves_the_session_as_it_was() {
+        let mut session = one_ball();
+        let magic = Settings::defaults().with_method("magic");
+        assert!(session.change_engine(FALLING, magic).is_err());
+        assert_eq!(session.settings(), &Settings::defaults());
+        session.step();
+        assert_eq!(height(&session), 9.75);
+    }
+
+    #[test]
+    fn a_wrong_engine_shows_in_the_history() {
+        let mut session = one_ball();
+        let heavy = Settings::defaults().with_method("heavy");
+        session.change_engine(FALLING, heavy).expect("it has that");
+        session.step(); // falls ½ m for 16 · ¼ = 4 m/s: gains ½ · 16 − 8 · ½ = 4 J of 80
+        let last = session.history().samples().back().expect("measured");
+        assert!(
+            last.energy_error
+                .is_some_and(|error| (error - 0.05).abs() < 1e-6)
+        );
+    }
+
+    #[test]
+    fn what_happens_while_a_body_is_dragged_is_no_error() {
+        let mut session = one_ball();
+        let heavy = Settings::defaults().with_method("heavy");
+        session.change_engine(FALLING, heavy).expect("it has that");
+        session.pull(Some(Pull {
+            body: 0,
+            anchor: DVec3::ZERO,
+            target: DVec3::ZERO,
+        }));
+        session.step();
+        let last = session.history().samples().back().expect("measured");
+        assert!(last.energy_error.is_some_and(|error| error.abs() < 1e-12));
+    }
+
+    #[test]
+    fn built_in_scenes_load() {
+        let pair = builtin::build("pair", None, None).expect("`pair` is built in");
+        assert!(Session::new(pair, FALLING, Settings::defaults()).is_ok());
+    }
+}

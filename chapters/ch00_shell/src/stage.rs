@@ -1,0 +1,422 @@
+//! What the window shows and what its user can do about it: the session with its clock, what
+//! is paused, picked, pulled and drawn. Keys, mouse and overlay all act through this one
+//! type, and it knows none of them.
+
+use std::time::Duration;
+
+use ch00_scenes::{Body, EngineEntry, Layer, Pull, Scene, Settings, Shape};
+use glam::{DVec3, Vec2};
+
+use crate::camera::{Camera, Ray, Viewport};
+use crate::clock::{Clock, Pace};
+use crate::frame_rate::FrameRate;
+use crate::picking::{Hit, pick};
+use crate::render::{Surroundings, Theme};
+use crate::{Chapter, Session, ShellError};
+
+/// A session in a window.
+pub struct Stage {
+    /// What there is to choose from.
+    pub chapter: Chapter,
+    /// The scene as it was loaded.
+    loaded: Scene,
+    session: Session,
+    clock: Clock,
+    alpha: f64,
+    /// Whether time stands still.
+    pub is_paused: bool,
+    /// From where the scene is seen.
+    pub camera: Camera,
+    /// Whether the camera has been moved from where it starts.
+    is_camera_moved: bool,
+    /// Where in the window the scene is.
+    viewport: Viewport,
+    /// Frames as they come.
+    pub frame_rate: FrameRate,
+    /// Colours of the picture.
+    pub theme: Theme,
+    /// Which layers are drawn.
+    pub layers: Vec<Layer>,
+    /// Whether the left panel is there.
+    pub shows_overlay: bool,
+    /// The body that was clicked last.
+    pub picked: Option<usize>,
+    pull: Option<Pull>,
+    thrown: u32,
+    surroundings: Surroundings,
+    /// How often the surroundings have changed.
+    generation: u32,
+    /// What the user should know: an error, mostly.
+    pub notice: Option<String>,
+    /// From the program's start to the first frame.
+    pub start_up: Option<Duration>,
+    /// Name of the adapter that draws.
+    pub adapter: String,
+}
+
+impl Stage {
+    /// A session about to start.
+    #[must_use]
+    pub fn new(chapter: Chapter, session: Session, pace: Pace) -> Self {
+        let surroundings = Surroundings::of(session.scene());
+        let viewport = Viewport::whole([1280, 720]);
+        Self {
+            chapter,
+            loaded: session.scene().clone(),
+            camera: Camera::framing(&surroundings, viewport),
+            is_camera_moved: false,
+            viewport,
+            surroundings,
+            session,
+            clock: Clock::new(pace),
+            alpha: 1.0,
+            is_paused: false,
+            frame_rate: FrameRate::of_window(),
+            theme: Theme::default(),
+            layers: Vec::new(),
+            shows_overlay: true,
+            picked: None,
+            pull: None,
+            thrown: 0,
+            generation: 0,
+            notice: None,
+            start_up: None,
+            adapter: String::new(),
+        }
+    }
+
+    /// The session.
+    #[must_use]
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The clock.
+    #[must_use]
+    pub fn clock(&self) -> &Clock {
+        &self.clock
+    }
+
+    /// How far between the last two states to draw. Layers show the last state, and the
+    /// bodies with them.
+    #[must_use]
+    pub fn alpha(&self) -> f64 {
+        if self.layers.is_empty() && self.pull.is_none() {
+            self.alpha
+        } else {
+            1.0
+        }
+    }
+
+    /// The mouse's spring, if it holds a body.
+    #[must_use]
+    pub fn pulled(&self) -> Option<&Pull> {
+        self.pull.as_ref()
+    }
+
+    /// What stands around the bodies, and a number that changes when it does.
+    #[must_use]
+    pub fn surroundings(&self) -> (&Surroundings, u32) {
+        (&self.surroundings, self.generation)
+    }
+
+    /// A frame that begins `elapsed` seconds after the last one.
+    pub fn advance(&mut self, elapsed: f64) {
+        if self.is_paused {
+            return;
+        }
+        let frame = self.clock.frame(elapsed, self.session.dt());
+        for _ in 0..frame.steps {
+            self.session.step_by(frame.dt);
+        }
+        self.alpha = frame.alpha;
+    }
+
+    /// Stops time, or lets it go on.
+    pub fn toggle_pause(&mut self) {
+        self.is_paused = !self.is_paused;
+        self.clock.restart();
+    }
+
+    /// Makes one step and stops there.
+    pub fn step_once(&mut self) {
+        self.is_paused = true;
+        self.session.step();
+        self.alpha = 1.0;
+    }
+
+    /// Starts the scene again.
+    pub fn reset(&mut self) {
+        self.let_go();
+        let outcome = self.session.reset();
+        self.report(outcome.map_err(ShellError::from));
+        self.after_restart();
+    }
+
+    /// From steps of one size to steps as long as frames are, or back.
+    pub fn toggle_pace(&mut self) {
+        self.clock.set_pace(match self.clock.pace() {
+            Pace::Fixed => Pace::Variable,
+            Pace::Variable => Pace::Fixed,
+        });
+        self.alpha = 1.0;
+    }
+
+    /// Sets the step's size, s.
+    pub fn set_dt(&mut self, dt: f64) {
+        self.session.set_dt(dt);
+        self.clock.restart();
+    }
+
+    /// Starts a built-in scene, or the one that the program was started with, on the same
+    /// engine. Where the method can't run it, the engine's default gets a try.
+    pub fn change_scene(&mut self, name: &str, count: Option<u64>) {
+        match self.load(name, count) {
+            Ok(session) => {
+                self.session = session;
+                self.picked = None;
+                self.pull = None;
+                self.notice = None;
+                self.surroundings = Surroundings::of(self.session.scene());
+                self.generation += 1;
+                self.move_camera_home();
+                self.after_restart();
+            }
+            Err(error) => self.report(Err(error)),
+        }
+    }
+
+    fn load(&self, name: &str, count: Option<u64>) -> Result<Session, ShellError> {
+        let scene = self.open(name, count)?;
+        let (entry, settings) = (self.session.entry(), self.session.settings().clone());
+        Session::new(scene.clone(), entry, settings)
+            .or_else(|_| Session::new(scene, entry, Settings::defaults()))
+            .map_err(ShellError::from)
+    }
+
+    fn open(&self, name: &str, count: Option<u64>) -> Result<Scene, ShellError> {
+        let is_built_in = self.chapter.scenes.contains(&name);
+        if name == self.loaded.name && !is_built_in {
+            return Ok(self.loaded.clone());
+        }
+        Ok(Scene::open(name, count, None)?)
+    }
+
+    /// The name of the scene that the program was started with.
+    #[must_use]
+    pub fn loaded_name(&self) -> &str {
+        &self.loaded.name
+    }
+
+    /// Goes on from the same state with another engine or other settings.
+    pub fn change_engine(&mut self, entry: EngineEntry, settings: Settings) {
+        self.let_go();
+        let outcome = self.session.change_engine(entry, settings);
+        self.report(outcome.map_err(ShellError::from));
+        self.layers
+            .retain(|layer| self.session.engine().layers().contains(layer));
+    }
+
+    /// Where in the window the scene is from now on. A camera that nobody has moved keeps
+    /// all of the scene in the picture.
+    pub fn set_viewport(&mut self, viewport: Viewport) {
+        if self.viewport != viewport {
+            self.viewport = viewport;
+            if !self.is_camera_moved {
+                self.move_camera_home();
+            }
+        }
+    }
+
+    /// Where in the window the scene is.
+    #[must_use]
+    pub fn viewport(&self) -> Viewport {
+        self.viewport
+    }
+
+    /// Puts the camera where it starts.
+    pub fn move_camera_home(&mut self) {
+        self.camera = Camera::framing(&self.surroundings, self.viewport);
+        self.is_camera_moved = false;
+    }
+
+    /// The camera, to move it.
+    pub fn camera_to_move(&mut self) -> &mut Camera {
+        self.is_camera_moved = true;
+        &mut self.camera
+    }
+
+    /// The line of sight through a pixel of the window.
+    #[must_use]
+    pub fn sight(&self, pixel: Vec2) -> Ray {
+        self.camera.ray(self.viewport, pixel)
+    }
+
+    /// Throws a ball along the line of sight, from before the scene into its middle.
+    pub fn throw_ball(&mut self) {
+        let size = f64::from(self.surroundings.radius());
+        let sight = self.sight(self.viewport.origin + 0.5 * self.viewport.size);
+        let radius = self.size_of_thrown();
+        let direction = sight.direction.as_dvec3();
+        let reach = (self.surroundings.centre() - sight.origin).length();
+        let start = sight.at(reach - 1.2 * self.surroundings.radius());
+        let mut ball = Body::new(
+            Shape::Sphere { radius },
+            self.mass_of_thrown(radius),
+            start.as_dvec3(),
+        );
+        ball.linear_velocity = direction * (4.0 * size).min(12.0);
+        ball.angular_velocity = DVec3::new(3.0, 5.0, f64::from(self.thrown % 7) - 3.0);
+        ball.restitution = 0.8;
+        self.thrown += 1;
+        let outcome = self.session.add_body(ball);
+        self.report(outcome.map(drop).map_err(ShellError::from));
+    }
+
+    /// The radius of the largest moving body, at most a tenth of the scene, m.
+    fn size_of_thrown(&self) -> f64 {
+        let most = 0.1 * f64::from(self.surroundings.radius());
+        let bodies = self.session.scene().bodies.iter();
+        bodies
+            .filter(|body| !body.is_static())
+            .map(|body| body.shape.bounding_radius())
+            .fold(0.5 * most, f64::max)
+            .min(most)
+    }
+
+    /// The mass of a ball as dense as the first moving body, kg.
+    fn mass_of_thrown(&self, radius: f64) -> f64 {
+        let mut bodies = self.session.scene().bodies.iter();
+        let density = bodies
+            .find(|body| !body.is_static())
+            .map_or(1000.0, |body| body.mass / body.shape.volume());
+        density * Shape::Sphere { radius }.volume()
+    }
+
+    /// Picks the body under a line of sight and takes hold of it; whether there is one.
+    pub fn grab(&mut self, sight: Ray) -> bool {
+        let hit = pick(&self.session, self.alpha(), &self.surroundings, sight);
+        let Some(Hit { body, distance }) = hit else {
+            return false;
+        };
+        self.picked = Some(body);
+        let point = sight.at(distance).as_dvec3();
+        let (position, orientation) = self.session.pose(body, self.alpha());
+        self.set_pull(Some(Pull {
+            body,
+            anchor: orientation.inverse() * (point - position),
+            target: point,
+        }));
+        true
+    }
+
+    /// Moves the end of the mouse's spring.
+    pub fn pull_to(&mut self, target: DVec3) {
+        if let Some(pull) = self.pull {
+            self.set_pull(Some(Pull { target, ..pull }));
+        }
+    }
+
+    /// Lets go of the body.
+    pub fn let_go(&mut self) {
+        if self.pull.is_some() {
+            self.set_pull(None);
+        }
+    }
+
+    fn set_pull(&mut self, pull: Option<Pull>) {
+        self.pull = pull;
+        self.session.pull(pull);
+    }
+
+    fn after_restart(&mut self) {
+        self.clock.restart();
+        self.alpha = 1.0;
+        let count = self.session.scene().bodies.len();
+        self.picked = self.picked.filter(|&i| i < count);
+        self.layers
+            .retain(|layer| self.session.engine().layers().contains(layer));
+    }
+
+    fn report(&mut self, outcome: Result<(), ShellError>) {
+        self.notice = outcome.err().map(|error| error.to_string());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+    use crate::test_engine::{CHAPTER, FALLING};
+
+    fn stage() -> Stage {
+        let scene = Scene::open("pair", None, None).expect("`pair` is built in");
+        let session = Session::new(scene, FALLING, Settings::defaults()).expect("it can fall");
+        Stage::new(CHAPTER, session, Pace::Fixed)
+    }
+
+    /// A line of sight at the first body.
+    fn sight(stage: &Stage) -> Ray {
+        let position = stage.session().state_now().position[0].as_vec3();
+        Ray {
+            origin: position + 10.0 * Vec3::Y,
+            direction: Vec3::NEG_Y,
+        }
+    }
+
+    #[test]
+    fn time_stands_still_while_paused_but_for_single_steps() {
+        let mut stage = stage();
+        stage.toggle_pause();
+        stage.advance(1.0);
+        assert_eq!(stage.session().steps(), 0);
+        stage.step_once();
+        assert_eq!(stage.session().steps(), 1);
+        assert!(stage.is_paused);
+    }
+
+    #[test]
+    fn resetting_takes_thrown_balls_away() {
+        let mut stage = stage();
+        let before = stage.session().scene().bodies.len();
+        stage.throw_ball();
+        stage.throw_ball();
+        assert_eq!(stage.session().scene().bodies.len(), before + 2);
+        stage.reset();
+        assert_eq!(stage.session().scene().bodies.len(), before);
+        assert_eq!(stage.notice, None);
+    }
+
+    #[test]
+    fn a_grabbed_body_is_held_where_it_was_clicked() {
+        let mut stage = stage();
+        let sight = sight(&stage);
+        assert!(stage.grab(sight));
+        let pull = *stage.pulled().expect("it was grabbed");
+        let (position, orientation) = stage.session().pose(pull.body, 1.0);
+        let held = position + orientation * pull.anchor;
+        assert!(held.distance(pull.target) < 1e-5);
+        stage.let_go();
+        assert!(stage.pulled().is_none());
+        assert_eq!(stage.picked, Some(0));
+    }
+
+    #[test]
+    fn an_unknown_scene_leaves_the_old_one_and_says_so() {
+        let mut stage = stage();
+        stage.change_scene("nothing", None);
+        assert_eq!(stage.session().scene().name, "pair");
+        assert!(stage.notice.is_some_and(|text| text.contains("nothing")));
+    }
+
+    #[test]
+    fn another_scene_has_other_surroundings() {
+        let mut stage = stage();
+        let (_, before) = stage.surroundings();
+        stage.change_scene("bounce", None);
+        let (surroundings, after) = stage.surroundings();
+        assert_ne!(before, after);
+        assert!(surroundings.has_floor);
+    }
+}

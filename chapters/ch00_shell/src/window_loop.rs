@@ -1,0 +1,192 @@
+//! A frame of the window, and what happens between frames: simulate, lay the overlay out,
+//! draw the scene, paint the overlay, show.
+
+use std::sync::Arc;
+
+use web_time::{Duration, Instant};
+use winit::event::WindowEvent;
+use winit::window::Window;
+
+use crate::ShellError;
+use crate::gpu::Gpu;
+use crate::input::Input;
+use crate::overlay::{Layout, Overlay};
+use crate::render::lines::{Stroke, stroke_between, stroke_of};
+use crate::render::{Picture, Quality, Renderer};
+use crate::stage::Stage;
+use crate::surface::WindowSurface;
+
+/// A window with everything that is drawn in it.
+pub struct WindowLoop {
+    window: Arc<Window>,
+    surface: WindowSurface,
+    renderer: Renderer,
+    overlay: Overlay,
+    input: Input,
+    stage: Stage,
+    generation: u32,
+    strokes: Vec<Stroke>,
+    start: Instant,
+    last_frame: Option<Instant>,
+    is_occluded: bool,
+    // Dropped last: everything above lives on it.
+    gpu: Gpu,
+}
+
+impl WindowLoop {
+    /// Ready for the first frame.
+    pub fn new(
+        window: Arc<Window>,
+        gpu: Gpu,
+        surface: WindowSurface,
+        mut stage: Stage,
+        start: Instant,
+    ) -> Self {
+        stage.adapter.clone_from(&gpu.name);
+        let (surroundings, generation) = stage.surroundings();
+        let quality = Quality::of(gpu.is_software);
+        Self {
+            renderer: Renderer::new(&gpu, surface.format(), quality, surroundings.clone()),
+            overlay: Overlay::new(&gpu, &window, surface.format()),
+            input: Input::default(),
+            strokes: Vec::new(),
+            last_frame: None,
+            is_occluded: false,
+            window,
+            surface,
+            stage,
+            generation,
+            start,
+            gpu,
+        }
+    }
+
+    /// Whether there is anyone to draw for.
+    pub fn is_visible(&self) -> bool {
+        !self.is_occluded && self.surface.is_shown()
+    }
+
+    /// Asks for another frame, if there is anyone to draw it for.
+    pub fn request_frame(&self) {
+        if self.is_visible() {
+            self.window.request_redraw();
+        }
+    }
+
+    /// Takes an event of the window.
+    ///
+    /// # Errors
+    /// [`ShellError::Graphics`] if the device has failed.
+    pub fn on_event(&mut self, event: &WindowEvent) -> Result<(), ShellError> {
+        match event {
+            WindowEvent::RedrawRequested => return self.frame(),
+            WindowEvent::Resized(size) => self.surface.resize(&self.gpu, size.width, size.height),
+            WindowEvent::Occluded(is_occluded) => self.is_occluded = *is_occluded,
+            _ => {}
+        }
+        let is_for_overlay = self.overlay.on_event(&self.window, event);
+        self.input.on_event(&mut self.stage, event, is_for_overlay);
+        Ok(())
+    }
+
+    /// One frame; none if the window shows nothing now.
+    fn frame(&mut self) -> Result<(), ShellError> {
+        if let Some(failure) = self.gpu.failure() {
+            return Err(ShellError::Graphics(failure));
+        }
+        let Some(picture) = self.surface.next_picture(&self.gpu) else {
+            return Ok(());
+        };
+        let elapsed = self.measure_time();
+        self.stage.advance(elapsed);
+        let size = self.surface.size();
+        let layout = self.overlay.lay_out(&self.window, size, &mut self.stage);
+        self.stage.set_viewport(layout.viewport);
+        self.draw(&picture, layout);
+        self.window.pre_present_notify();
+        self.gpu.queue.present(picture);
+        self.note_first_frame();
+        {
+            use std::sync::atomic::{AtomicU32, Ordering};
+            static N: AtomicU32 = AtomicU32::new(0);
+            let n = N.fetch_add(1, Ordering::Relaxed);
+            if n % 10 == 0 {
+                let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+                let f: Vec<&str> = stat.split(' ').collect();
+                eprintln!("FPSDBG frame {n} t={:.3} cpu={}+{}0 ms", self.start.elapsed().as_secs_f64(), f[13], f[14]);
+            }
+        }
+        Ok(())
+    }
+
+    /// Seconds since the last frame began.
+    fn measure_time(&mut self) -> f64 {
+        let now = Instant::now();
+        let elapsed = self.last_frame.map_or(Duration::ZERO, |last| now - last);
+        if self.last_frame.is_some() {
+            self.stage.frame_rate.record(elapsed);
+        }
+        self.last_frame = Some(now);
+        elapsed.as_secs_f64()
+    }
+
+    /// Draws the scene and paints the overlay over it.
+    fn draw(&mut self, picture: &wgpu::SurfaceTexture, layout: Layout) {
+        self.follow_scene();
+        collect_strokes(&self.stage, &mut self.strokes);
+        let gpu = &self.gpu;
+        let view = picture.texture.create_view(&Default::default());
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let size = self.surface.size();
+        let scene = Picture {
+            session: self.stage.session(),
+            alpha: self.stage.alpha(),
+            camera: &self.stage.camera,
+            viewport: layout.viewport,
+            scale: layout.scale(),
+            theme: self.stage.theme,
+            picked: self.stage.picked,
+            strokes: &self.strokes,
+        };
+        if !crate::render::skip("all") {self.renderer.draw(gpu, &mut encoder, &view, size, &scene);}
+        if crate::render::skip("egui") { layout.drop_it(); } else { self.overlay.paint(gpu, &mut encoder, &view, size, layout); }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Gives the renderer the walls of a new scene.
+    fn follow_scene(&mut self) {
+        let (surroundings, generation) = self.stage.surroundings();
+        if self.generation != generation {
+            self.generation = generation;
+            self.renderer
+                .set_surroundings(&self.gpu, surroundings.clone());
+        }
+    }
+
+    fn note_first_frame(&mut self) {
+        if self.stage.start_up.is_none() {
+            let start_up = self.start.elapsed();
+            let [width, height] = self.surface.size();
+            eprintln!(
+                "window: {width}x{height} on {}, first frame after {} ms",
+                self.gpu.name,
+                start_up.as_millis()
+            );
+            self.stage.start_up = Some(start_up);
+        }
+    }
+}
+
+/// The lines of the layers that are shown, and the mouse's spring.
+fn collect_strokes(stage: &Stage, strokes: &mut Vec<Stroke>) {
+    strokes.clear();
+    let engine = stage.session().engine();
+    for &layer in &stage.layers {
+        strokes.extend(engine.layer(layer).iter().map(stroke_of));
+    }
+    if let Some(pull) = stage.pulled() {
+        let (position, orientation) = stage.session().pose(pull.body, stage.alpha());
+        let held = position + orientation * pull.anchor;
+        strokes.push(stroke_between(held.as_vec3(), pull.target.as_vec3()));
+    }
+}

@@ -1,0 +1,255 @@
+//! Chapter 3's engine: a level of rigid bodies and a collision tree.
+
+use std::time::Duration;
+
+use ch00_scenes::{
+    Added, Body, Column, ContactPoint, Counters, Engine, EngineEntry, EngineInfo, Layer, Line,
+    LoadError, PassTime, Pull, Scene, Settings, State,
+};
+use ch02_rigid_bodies::{Loaded, METHODS, Method, load_bodies};
+use web_time::Instant;
+
+use crate::support::{check_settings, check_shapes, unsupported};
+use crate::{CollisionTree, Contact, Margins, Rules, layers, resolve_corrected, resolve_printed};
+
+/// Chapter 3's entry in a list of engines.
+pub const ENGINE: EngineEntry = EngineEntry {
+    name: "objects",
+    chapter: "ch03_collision",
+    methods: METHODS,
+    load,
+};
+
+/// A level of rigid bodies that collide.
+pub struct CollisionEngine {
+    method: Method,
+    rules: Rules,
+    scene: Scene,
+    world: Loaded,
+    tree: CollisionTree,
+    contacts: Vec<Contact>,
+    /// Impacts that the sweeps did not get to, since loading.
+    impacts_left: usize,
+    times: Vec<PassTime>,
+}
+
+/// Loads a scene of balls and boxes without joints; one of orbits alone goes to chapter 1.
+fn load(scene: &Scene, settings: &Settings) -> Result<Box<dyn Engine>, LoadError> {
+    if !scene.orbits.is_empty() {
+        return (ch01_hierarchy::ENGINE.load)(scene, &Settings::defaults());
+    }
+    Ok(Box::new(CollisionEngine::load(scene, settings)?))
+}
+
+impl CollisionEngine {
+    /// Loads a scene of balls and boxes without joints.
+    ///
+    /// # Errors
+    /// [`LoadError`] for an unknown method, a setting that it lacks, joints, and shapes whose
+    /// contacts aren't modelled.
+    pub fn load(scene: &Scene, settings: &Settings) -> Result<Self, LoadError> {
+        let method = Method::of(&ENGINE, settings)?;
+        check_settings(method.name(), settings)?;
+        if !scene.joints.is_empty() {
+            let what = "joints are not modelled yet".to_owned();
+            return Err(unsupported(scene, what, Some(0)));
+        }
+        let world = load_bodies(&ENGINE, scene, method)?;
+        check_shapes(scene, &world.bodies)?;
+        Ok(Self {
+            method,
+            rules: rules_for(scene, settings),
+            scene: scene.clone(),
+            world,
+            tree: CollisionTree::default(),
+            contacts: Vec::new(),
+            impacts_left: 0,
+            times: Vec::new(),
+        })
+    }
+
+    /// Runs a part of the step and notes how long it took.
+    fn pass<T>(&mut self, name: &'static str, part: impl FnOnce(&mut Self) -> T) -> T {
+        let start = Instant::now();
+        let out = part(self);
+        let time: Duration = start.elapsed();
+        self.times.push(PassTime { name, time });
+        out
+    }
+
+    /// The pairs that may touch.
+    fn find_pairs(&mut self, dt: f32) {
+        let margins = self.margins(dt);
+        self.tree.find_pairs(&self.world.bodies, margins);
+    }
+
+    /// Where they do.
+    fn find_contacts(&mut self, dt: f32) {
+        let margins = self.margins(dt);
+        self.tree.find_contacts(&self.world.bodies, margins, &mut self.contacts);
+    }
+
+    /// The report's method looks at what overlaps, and at nothing else.
+    fn margins(&self, dt: f32) -> Margins {
+        match self.method {
+            Method::Printed => Margins::default(),
+            Method::Corrected => self.rules.margins(dt),
+        }
+    }
+
+    // ANCHOR: resolve
+    /// Parts what overlaps, as the method says.
+    fn resolve(&mut self, dt: f32) {
+        let bodies = &self.world.bodies;
+        match self.method {
+            Method::Printed => resolve_printed(bodies, &mut self.contacts),
+            Method::Corrected => {
+                self.impacts_left += resolve_corrected(bodies, &mut self.contacts, self.rules, dt);
+            }
+        }
+    }
+    // ANCHOR_END: resolve
+
+    /// Writes the bodies' places into the scene graph.
+    fn place_nodes(&mut self) {
+        let graph = &mut self.world.level.graph;
+        for body in &self.world.bodies {
+            body.borrow().place_node(graph);
+        }
+        graph.update_world();
+    }
+}
+
+/// The method's own rules, with what the scene and the user say instead.
+fn rules_for(scene: &Scene, settings: &Settings) -> Rules {
+    let defaults = Rules::default();
+    Rules {
+        sweeps: settings.sweeps.unwrap_or(defaults.sweeps),
+        restitution_threshold: scene
+            .restitution_threshold
+            .map_or(defaults.restitution_threshold, |speed| speed as f32),
+        ..defaults
+    }
+}
+
+impl Engine for CollisionEngine {
+    fn info(&self) -> EngineInfo {
+        let corrected = self.method == Method::Corrected;
+        EngineInfo {
+            engine: ENGINE.name,
+            method: self.method.name(),
+            threads: 1,
+            device: "cpu".to_owned(),
+            substeps: 1,
+            sweeps: Some(if corrected { self.rules.sweeps } else { 1 }),
+            real_size: 4,
+            restitution_threshold: if corrected {
+                f64::from(self.rules.restitution_threshold)
+            } else {
+                0.0
+            },
+        }
+    }
+
+    // ANCHOR: step
+    fn step(&mut self, dt: f32) {
+        self.times.clear();
+        self.pass("objects update", |e| e.world.level.update_objects(dt));
+        self.pass("objects gather", |e| e.world.level.gather_objects());
+        self.pass("broad phase", |e| e.find_pairs(dt));
+        self.pass("narrow phase", |e| e.find_contacts(dt));
+        self.pass("resolve", |e| e.resolve(dt));
+        self.pass("scene graph", Self::place_nodes);
+    }
+    // ANCHOR_END: step
+
+    fn read_state(&self, state: &mut State) {
+        self.world.read_state(state);
+    }
+
+    fn write_state(&mut self, state: &State, dt: f32) {
+        self.contacts.clear();
+        self.world.write_state(state, dt);
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        self.world.columns()
+    }
+
+    fn contacts(&self) -> Vec<ContactPoint> {
+        self.contacts
+            .iter()
+            .map(|contact| ContactPoint {
+                a: contact.a,
+                b: contact.b,
+                point: contact.point.as_dvec3(),
+                normal: contact.normal.as_dvec3(),
+                depth: f64::from(contact.depth),
+                impulse: contact.impulse.as_dvec3(),
+            })
+            .collect()
+    }
+
+    fn counters(&self) -> Counters {
+        Counters {
+            pairs: self.tree.pair_count(),
+            contacts: self.contacts.len(),
+            overflow: self.impacts_left + self.world.unread_turns(),
+        }
+    }
+
+    fn pass_times(&self) -> Vec<PassTime> {
+        self.times.clone()
+    }
+
+    fn explain(&self) -> String {
+        let resolution = match self.method {
+            Method::Printed => "every contact once, as printed, no friction".to_owned(),
+            Method::Corrected => format!(
+                "{} sweeps each for pushing apart, impacts and resting contact with Coulomb friction; \
+                 impacts under {} m/s don't bounce; depths under {} mm are left alone",
+                self.rules.sweeps,
+                self.rules.restitution_threshold,
+                self.rules.slop * 1000.0
+            ),
+        };
+        format!(
+            "scene `{}` as rigid bodies that collide, method {}:\n\
+             1. objects update: p, q by velocity-less Verlet from p*, q* ({} bodies, {} of them static)\n\
+             2. objects gather: {} forces of the scene as callbacks, gravity as an acceleration\n\
+             3. broad phase: bounding boxes in a KD-tree, built anew each step\n\
+             4. narrow phase: balls against balls and boxes in closed form\n\
+             5. resolve: {resolution}\n\
+             6. scene graph: world transforms\n\
+             Left out: other pairs of shapes, and joints (chapter 4). Held bodies don't collide.\n",
+            self.scene.name,
+            self.method.name(),
+            self.scene.bodies.len(),
+            self.scene.bodies.len() - self.scene.dynamic_count(),
+            self.scene.forces.len(),
+        )
+    }
+
+    fn layer(&self, layer: Layer) -> Vec<Line> {
+        match layer {
+            Layer::Aabbs => layers::boxes(&self.tree),
+            Layer::Cells => layers::cells(&self.tree),
+            Layer::Contacts => layers::contacts(&self.contacts),
+            Layer::Frames => layers::frames(&self.world.bodies),
+        }
+    }
+
+    fn layers(&self) -> &'static [Layer] {
+        &Layer::ALL
+    }
+
+    fn add_body(&mut self, body: &Body, _dt: f32) -> Added {
+        let index = self.world.add(&self.scene, body, self.method);
+        check_shapes(&self.scene, &self.world.bodies)?;
+        Ok(index)
+    }
+
+    fn pull(&mut self, pull: Option<Pull>) {
+        self.world.pull(pull);
+    }
+}

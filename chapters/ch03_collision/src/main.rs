@@ -1,0 +1,14 @@
+//! Chapter 3's demo: bouncing balls.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ch00_shell::main(&ch00_shell::Chapter {
+        name: "ch03_collision",
+        title: "3. Collision",
+        about: "Bouncing balls: the report's first demo.",
+        engines: &[ch03_collision::ENGINE],
+        default_scene: "balls",
+        scenes: &["balls", "pair", "bounce", "bounce_half", "tops", "magnets", "orrery"],
+    })
+}

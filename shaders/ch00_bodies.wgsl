@@ -1,0 +1,96 @@
+// Bodies: one mesh a shape, one instance a body. Needs common/rotation, ch00_frame, ch00_light.
+//
+// A mesh's vertex is placed by  position * size.xyz + (0, axis * size.w, 0)  in the body's
+// coordinates: a capsule's caps scale with its radius and move by its half height, so that
+// they stay round.
+
+struct Vertex {
+    @location(0) position: vec3f,
+    // -1 or 1 at the lower and upper end of a capsule or cylinder, otherwise 0.
+    @location(1) axis: f32,
+    @location(2) normal: vec3f,
+}
+
+struct Instance {
+    @location(3) position: vec3f,
+    // 0 sphere, 1 box, 2 capsule, 3 cylinder.
+    @location(4) shape: u32,
+    @location(5) orientation: vec4f,
+    // Radius thrice and half height; or half extents and 0, m.
+    @location(6) size: vec4f,
+    // Linear colour; a is 1 for the body that is picked.
+    @location(7) color: vec4f,
+}
+
+struct Surface {
+    @builtin(position) clip: vec4f,
+    @location(0) point: vec3f,
+    @location(1) normal: vec3f,
+    // In the body's coordinates, in units of its size.
+    @location(2) local: vec3f,
+    @location(3) @interpolate(flat) shape: u32,
+    @location(4) @interpolate(flat) size: vec4f,
+    @location(5) @interpolate(flat) color: vec4f,
+}
+
+fn world_point(vertex: Vertex, instance: Instance) -> vec3f {
+    let local = vertex.position * instance.size.xyz + vec3f(0.0, vertex.axis * instance.size.w, 0.0);
+    return instance.position + quat_rotate(instance.orientation, local);
+}
+
+@vertex
+fn vs_body(vertex: Vertex, instance: Instance) -> Surface {
+    let point = world_point(vertex, instance);
+    var out: Surface;
+    out.clip = frame.view_projection * vec4f(point, 1.0);
+    out.point = point;
+    out.normal = quat_rotate(instance.orientation, vertex.normal);
+    out.local = vertex.position;
+    out.shape = instance.shape;
+    out.size = instance.size;
+    out.color = instance.color;
+    return out;
+}
+
+// 0 on one part of the surface and 1 on the other, with a soft border: what makes a spin visible.
+// A ball is divided by the curve of a tennis ball, a box by a frame along its edges, a
+// capsule and a cylinder by a stripe along a side.
+fn pattern(surface: Surface) -> f32 {
+    let p = surface.local;
+    var border = p.y + 1.3 * (p.x * p.x - p.z * p.z);
+    if surface.shape == 1u {
+        let rim = (vec3f(1.0) - abs(p)) * surface.size.xyz;
+        // The two smallest of the three are those within the face; the third is 0 on it.
+        let to_edge = min(max(rim.x, rim.y), min(max(rim.y, rim.z), max(rim.x, rim.z)));
+        let smallest = min(surface.size.x, min(surface.size.y, surface.size.z));
+        border = 0.16 * smallest - to_edge;
+    } else if surface.shape >= 2u {
+        border = p.x * p.z;
+    }
+    let soft = max(fwidth(border), 1e-6);
+    return clamp(border / soft + 0.5, 0.0, 1.0);
+}
+
+@fragment
+fn fs_body(surface: Surface) -> @location(0) vec4f {
+    let n = normalize(surface.normal);
+    let second = mix(surface.color.rgb, vec3f(1.0), 0.62);
+    var color = mix(surface.color.rgb, second, pattern(surface));
+    var light = lit(color, n, surface.point);
+    // The picked body glows.
+    let v = normalize(frame.camera_position - surface.point);
+    let away = 1.0 - max(dot(n, v), 0.0);
+    light += surface.color.a * (0.06 + 0.9 * away * away) * vec3f(1.0, 0.85, 0.4);
+    return vec4f(to_display(light), 1.0);
+}
+
+// Static bodies: plain, with the grid of the ground on what faces up.
+@fragment
+fn fs_static(surface: Surface) -> @location(0) vec4f {
+    let n = normalize(surface.normal);
+    let lines = grid(surface.point.xz) * frame.grid_color.a * smoothstep(0.95, 0.99, n.y);
+    let color = mix(surface.color.rgb, frame.grid_color.rgb, lines);
+    let light = color * (frame.sun_light * (sunlit(surface.point, n) * max(dot(n, frame.sun_direction), 0.0))
+        + ambient(n));
+    return vec4f(to_display(light), 1.0);
+}

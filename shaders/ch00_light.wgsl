@@ -1,0 +1,51 @@
+// Light: a sun with a shadow map, and the light of sky and ground from above and below. Needs ch00_frame.
+// Needs ch00_frame.
+
+@group(0) @binding(1) var shadow_map: texture_depth_2d;
+@group(0) @binding(2) var shadow_sampler: sampler_comparison;
+
+// Samples of the shadow map are taken from -reach to +reach in both directions.
+override shadow_reach: i32 = 1;
+
+// The part of the sun's light that reaches a point of a surface with normal n, 0 … 1.
+// The point is moved off the surface by a texel or two so that it doesn't shade itself.
+fn sunlit(point: vec3f, n: vec3f) -> f32 {
+    let lifted = point + n * (1.8 * frame.shadow_texel);
+    let clip = frame.light_view_projection * vec4f(lifted, 1.0);
+    let uv = clip.xy * vec2f(0.5, -0.5) + 0.5;
+    let depth = min(clip.z, 1.0);
+    let texel = 1.0 / vec2f(textureDimensions(shadow_map));
+    var sum = 0.0;
+    for (var y = -shadow_reach; y <= shadow_reach; y++) {
+        for (var x = -shadow_reach; x <= shadow_reach; x++) {
+            let at = uv + vec2f(f32(x), f32(y)) * texel;
+            sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at, depth);
+        }
+    }
+    let taps = f32((2 * shadow_reach + 1) * (2 * shadow_reach + 1));
+    // Beyond the map's edge there is nothing to cast a shadow.
+    let edge = smoothstep(0.9, 1.0, max(abs(clip.x), abs(clip.y)));
+    return mix(sum / taps, 1.0, edge);
+}
+
+// Light of sky and ground on a surface with normal n.
+fn ambient(n: vec3f) -> vec3f {
+    return mix(frame.ground_light.rgb, frame.sky_light.rgb, 0.5 + 0.5 * n.y);
+}
+
+// A surface of this colour with normal n at a point, seen from the camera: matt, with a
+// highlight of the sun and a rim of the sky.
+fn lit(color: vec3f, n: vec3f, point: vec3f) -> vec3f {
+    let s = frame.sun_direction;
+    let v = normalize(frame.camera_position - point);
+    let facing = max(dot(n, s), 0.0);
+    let sun = frame.sun_light * sunlit(point, n);
+    let half_way = max(dot(n, normalize(s + v)), 0.0);
+    let h4 = half_way * half_way * half_way * half_way;
+    let h16 = h4 * h4 * h4 * h4;
+    let away = 1.0 - max(dot(n, v), 0.0);
+    let rim = 0.22 * away * away * away * away;
+    return color * (sun * facing + ambient(n))
+        + sun * (0.10 * h16 * h16 * h4 * facing)
+        + frame.sky_light.rgb * rim;
+}

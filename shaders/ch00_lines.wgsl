@@ -1,0 +1,47 @@
+// Lines of a given width in pixels: each instance is a line, drawn as two triangles that
+// face the viewer. Needs ch00_frame.
+
+struct Line {
+    @location(0) start: vec3f,
+    // Width in points of the screen.
+    @location(1) width: f32,
+    @location(2) end: vec3f,
+    // Display colour.
+    @location(3) color: vec4f,
+}
+
+struct Stroke {
+    @builtin(position) clip: vec4f,
+    @location(0) color: vec4f,
+    // -1 … 1 across the line.
+    @location(1) across: f32,
+}
+
+// Lines are drawn twice: thinly through everything, and fully where nothing hides them.
+override opacity: f32 = 1.0;
+
+@vertex
+fn vs_line(@builtin(vertex_index) index: u32, line: Line) -> Stroke {
+    var a = frame.view_projection * vec4f(line.start, 1.0);
+    var b = frame.view_projection * vec4f(line.end, 1.0);
+    // Cut off what is behind the viewer.
+    let near = 1e-3;
+    if a.w < near { a = mix(a, b, (near - a.w) / max(b.w - a.w, 1e-9)); }
+    if b.w < near { b = mix(b, a, (near - b.w) / max(a.w - b.w, 1e-9)); }
+    let direction = (b.xy / b.w - a.xy / a.w) * frame.viewport;
+    let along = direction / max(length(direction), 1e-6);
+    let side = f32(index & 1u) * 2.0 - 1.0;
+    let half_width = 0.5 * line.width * frame.line_scale;
+    let offset = vec2f(-along.y, along.x) * side * half_width * 2.0 / frame.viewport;
+    let end = select(a, b, index >= 2u);
+    var out: Stroke;
+    out.clip = vec4f(end.xy + offset * end.w, end.z, end.w);
+    out.color = line.color;
+    out.across = side;
+    return out;
+}
+
+@fragment
+fn fs_line(stroke: Stroke) -> @location(0) vec4f {
+    return vec4f(stroke.color.rgb, stroke.color.a * opacity);
+}
