@@ -31,6 +31,7 @@ struct Surface {
     @location(3) @interpolate(flat) shape: u32,
     @location(4) @interpolate(flat) size: vec4f,
     @location(5) @interpolate(flat) color: vec4f,
+    @location(6) shadow: vec3f,
 }
 
 fn world_point(vertex: Vertex, instance: Instance) -> vec3f {
@@ -49,6 +50,7 @@ fn vs_body(vertex: Vertex, instance: Instance) -> Surface {
     out.shape = instance.shape;
     out.size = instance.size;
     out.color = instance.color;
+    out.shadow = shadow_place(point, out.normal);
     return out;
 }
 
@@ -74,11 +76,11 @@ fn pattern(surface: Surface) -> f32 {
 @fragment
 fn fs_body(surface: Surface) -> @location(0) vec4f {
     let n = normalize(surface.normal);
-    let second = mix(surface.color.rgb, vec3f(1.0), 0.62);
-    var color = mix(surface.color.rgb, second, pattern(surface));
-    var light = lit(color, n, surface.point);
-    // The picked body glows.
     let v = normalize(frame.camera_position - surface.point);
+    let second = mix(surface.color.rgb, vec3f(1.0), 0.55);
+    let color = mix(surface.color.rgb, second, pattern(surface));
+    var light = lit(color, n, v, sunlit(surface.shadow));
+    // The picked body glows.
     let away = 1.0 - max(dot(n, v), 0.0);
     light += surface.color.a * (0.06 + 0.9 * away * away) * vec3f(1.0, 0.85, 0.4);
     return vec4f(to_display(light), 1.0);
@@ -90,7 +92,7 @@ fn fs_static(surface: Surface) -> @location(0) vec4f {
     let n = normalize(surface.normal);
     let lines = grid(surface.point.xz) * frame.grid_color.a * smoothstep(0.95, 0.99, n.y);
     let color = mix(surface.color.rgb, frame.grid_color.rgb, lines);
-    let light = color * (frame.sun_light * (sunlit(surface.point, n) * max(dot(n, frame.sun_direction), 0.0))
-        + ambient(n));
+    let sun = sunlit(surface.shadow) * max(dot(n, frame.sun_direction), 0.0);
+    let light = color * (frame.sun_light * sun + ambient(n));
     return vec4f(to_display(light), 1.0);
 }

@@ -22,8 +22,8 @@ struct Frame {
     // Height of the ground, m.
     ground_height: f32,
     sun_light: vec3f,
-    // Opacity of the ground: 0 draws its grid only.
-    ground_opacity: f32,
+    // Upper edge of the viewport, pixels.
+    viewport_top: f32,
     sky_light: vec4f,
     ground_light: vec4f,
     sky_top_display: vec4f,
@@ -45,17 +45,24 @@ fn to_display(linear: vec3f) -> vec3f {
         vec3f(0.0), vec3f(1.0));
 }
 
-// How much a line of the grid covers at p: lines every `cell` metres, one pixel wide,
-// gone where the cells get too small to see.
-fn grid_line(p: vec2f, cell: f32) -> f32 {
-    let q = p / cell;
-    let width = max(fwidth(q), vec2f(1e-6));
-    let distance = abs(fract(q - 0.5) - 0.5) / width;
-    let lines = (1.0 - min(distance, vec2f(1.0))) * (1.0 - smoothstep(vec2f(0.15), vec2f(0.5), width));
-    return max(lines.x, lines.y);
+// The sky's display colour in this row of pixels.
+fn sky_display(row: f32) -> vec3f {
+    let down = (row - frame.viewport_top) / frame.viewport.y;
+    return mix(frame.sky_top_display.rgb, frame.sky_low_display.rgb, down);
+}
+
+// How much a line of a grid with one line a unit covers at q: lines are one pixel wide, where
+// a pixel is `width`, and gone where the cells get too small to see.
+fn grid_line(q: vec2f, width: vec2f) -> f32 {
+    let lines = clamp(1.0 - abs(fract(q - 0.5) - 0.5) / width, vec2f(0.0), vec2f(1.0));
+    let seen = clamp(1.4 - 3.0 * width, vec2f(0.0), vec2f(1.0));
+    let strength = lines * seen;
+    return max(strength.x, strength.y);
 }
 
 // The grid of floor and ground: every cell, and every fifth one stronger.
 fn grid(p: vec2f) -> f32 {
-    return max(0.45 * grid_line(p, frame.grid_cell), grid_line(p, 5.0 * frame.grid_cell));
+    let q = p / frame.grid_cell;
+    let width = max(fwidth(q), vec2f(1e-6));
+    return max(0.45 * grid_line(q, width), grid_line(0.2 * q, 0.2 * width));
 }

@@ -7,25 +7,27 @@
 // Samples of the shadow map are taken from -reach to +reach in both directions.
 override shadow_reach: i32 = 1;
 
-// The part of the sun's light that reaches a point of a surface with normal n, 0 … 1.
-// The point is moved off the surface by a texel or two so that it doesn't shade itself.
-fn sunlit(point: vec3f, n: vec3f) -> f32 {
+// Where a point of a surface with normal n lies in the shadow map: x and y of a texel, 0 … 1
+// across the map, and its depth. The point is moved off the surface by a texel or two so that
+// it doesn't shade itself.
+fn shadow_place(point: vec3f, n: vec3f) -> vec3f {
     let lifted = point + n * (1.8 * frame.shadow_texel);
     let clip = frame.light_view_projection * vec4f(lifted, 1.0);
-    let uv = clip.xy * vec2f(0.5, -0.5) + 0.5;
-    let depth = min(clip.z, 1.0);
+    return vec3f(clip.xy * vec2f(0.5, -0.5) + 0.5, min(clip.z, 1.0));
+}
+
+// The part of the sun's light that reaches this place, 0 … 1. Beyond the map's edge, where
+// nothing casts a shadow, the sampler finds the texels of the edge, which no body reaches.
+fn sunlit(place: vec3f) -> f32 {
     let texel = 1.0 / vec2f(textureDimensions(shadow_map));
     var sum = 0.0;
     for (var y = -shadow_reach; y <= shadow_reach; y++) {
         for (var x = -shadow_reach; x <= shadow_reach; x++) {
-            let at = uv + vec2f(f32(x), f32(y)) * texel;
-            sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at, depth);
+            let at = place.xy + vec2f(f32(x), f32(y)) * texel;
+            sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at, place.z);
         }
     }
-    let taps = f32((2 * shadow_reach + 1) * (2 * shadow_reach + 1));
-    // Beyond the map's edge there is nothing to cast a shadow.
-    let edge = smoothstep(0.9, 1.0, max(abs(clip.x), abs(clip.y)));
-    return mix(sum / taps, 1.0, edge);
+    return sum / f32((2 * shadow_reach + 1) * (2 * shadow_reach + 1));
 }
 
 // Light of sky and ground on a surface with normal n.
@@ -33,13 +35,12 @@ fn ambient(n: vec3f) -> vec3f {
     return mix(frame.ground_light.rgb, frame.sky_light.rgb, 0.5 + 0.5 * n.y);
 }
 
-// A surface of this colour with normal n at a point, seen from the camera: matt, with a
-// highlight of the sun and a rim of the sky.
-fn lit(color: vec3f, n: vec3f, point: vec3f) -> vec3f {
+// A surface of this colour with normal n, seen from direction v, that receives this share of
+// the sun's light: matt, with a highlight of the sun and a rim of the sky.
+fn lit(color: vec3f, n: vec3f, v: vec3f, sun_share: f32) -> vec3f {
     let s = frame.sun_direction;
-    let v = normalize(frame.camera_position - point);
     let facing = max(dot(n, s), 0.0);
-    let sun = frame.sun_light * sunlit(point, n);
+    let sun = frame.sun_light * sun_share;
     let half_way = max(dot(n, normalize(s + v)), 0.0);
     let h4 = half_way * half_way * half_way * half_way;
     let h16 = h4 * h4 * h4 * h4;

@@ -6,14 +6,17 @@ use ch00_scenes::{Joint, Scene, SceneError, Shape, State, builtin};
 use proptest::prelude::*;
 
 const FILES: [(&str, &str); 3] = [
-    ("balls_60", include_str!("reference/scenes/balls_60.json")),
+    (
+        "balls_60",
+        include_str!("../../../tests/reference/scenes/balls_60.json"),
+    ),
     (
         "half_metre_boxes_15",
-        include_str!("reference/scenes/half_metre_boxes_15.json"),
+        include_str!("../../../tests/reference/scenes/half_metre_boxes_15.json"),
     ),
     (
         "ragdolls_5",
-        include_str!("reference/scenes/ragdolls_5.json"),
+        include_str!("../../../tests/reference/scenes/ragdolls_5.json"),
     ),
 ];
 
@@ -210,7 +213,7 @@ fn a_built_in_scene_opens_with_its_count() {
 fn a_file_opens_by_its_path() {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/tests/reference/scenes/balls_60.json"
+        "/../../tests/reference/scenes/balls_60.json"
     );
     let scene = Scene::open(path, None, None).unwrap();
     assert_eq!(scene.bodies[5].shape, Shape::Sphere { radius: 0.133_519 });

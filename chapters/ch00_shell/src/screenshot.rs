@@ -57,6 +57,7 @@ fn draw(gpu: &Gpu, session: &Session) -> Result<Vec<u8>, ShellError> {
         viewport,
         scale: 1.0,
         theme: Theme::default(),
+        margin: wgpu::Color::BLACK,
         picked: None,
         strokes: &[],
     };

@@ -113,7 +113,12 @@ impl WindowLoop {
             if n % 10 == 0 {
                 let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
                 let f: Vec<&str> = stat.split(' ').collect();
-                eprintln!("FPSDBG frame {n} t={:.3} cpu={}+{}0 ms", self.start.elapsed().as_secs_f64(), f[13], f[14]);
+                eprintln!(
+                    "FPSDBG frame {n} t={:.3} cpu={}+{}0 ms",
+                    self.start.elapsed().as_secs_f64(),
+                    f[13],
+                    f[14]
+                );
             }
         }
         Ok(())
@@ -145,11 +150,18 @@ impl WindowLoop {
             viewport: layout.viewport,
             scale: layout.scale(),
             theme: self.stage.theme,
+            margin: layout.background(),
             picked: self.stage.picked,
             strokes: &self.strokes,
         };
-        if !crate::render::skip("all") {self.renderer.draw(gpu, &mut encoder, &view, size, &scene);}
-        if crate::render::skip("egui") { layout.drop_it(); } else { self.overlay.paint(gpu, &mut encoder, &view, size, layout); }
+        if !crate::render::skip("all") {
+            self.renderer.draw(gpu, &mut encoder, &view, size, &scene);
+        }
+        if crate::render::skip("egui") {
+            layout.drop_it();
+        } else {
+            self.overlay.paint(gpu, &mut encoder, &view, size, layout);
+        }
         gpu.queue.submit([encoder.finish()]);
     }
 

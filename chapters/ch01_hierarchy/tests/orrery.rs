@@ -125,10 +125,10 @@ fn velocities_are_what_positions_do() {
 }
 
 #[test]
-fn after_a_day_of_frames_the_planet_is_still_on_time() {
+fn after_an_hour_of_frames_the_planet_is_still_on_time() {
     let scene = nested();
     let mut engine = load(&scene);
-    let (steps, dt) = (86_400, 1.0_f32 / 60.0);
+    let (steps, dt) = (216_000, 1.0_f32 / 60.0);
     run(engine.as_mut(), steps, dt);
     let exact = orbits::state_at(&scene, f64::from(steps) * f64::from(dt));
     let [position, ..] = differences(&state_of(engine.as_ref()), &exact);

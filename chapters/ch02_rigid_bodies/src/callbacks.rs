@@ -55,9 +55,7 @@ pub fn add_magnets(poles: &[(Shared<RigidBody>, Vec3, f32)], softening: f32) {
             let torque = pole_force(own, other, softening);
             let mut body = own.body.borrow_mut();
             body.add_force(Box::new(force));
-            body.add_torque(Box::new(move |feel| {
-                (feel.q * place).cross(torque(feel))
-            }));
+            body.add_torque(Box::new(move |feel| (feel.q * place).cross(torque(feel))));
         }
     }
 }
@@ -72,7 +70,8 @@ fn pole_force(own: &Pole, other: &Pole, softening: f32) -> impl Fn(&Feel) -> Vec
             return Vec3::ZERO;
         };
         let other = other.borrow();
-        let between = feel.p + feel.q * place - (other.position() + other.orientation() * other_place);
+        let between =
+            feel.p + feel.q * place - (other.position() + other.orientation() * other_place);
         let squared = between.length_squared();
         if squared == 0.0 {
             return Vec3::ZERO;

@@ -47,9 +47,21 @@ fn load(scene: &Scene, settings: &Settings) -> Result<Box<dyn Engine>, LoadError
 /// Sweeps, substeps and threads mean nothing here.
 fn refuse_unused(settings: &Settings) -> Result<(), LoadError> {
     let flags = [
-        ("sweeps", settings.sweeps, "bodies don't collide in this chapter"),
-        ("substeps", settings.substeps, "this method makes whole steps"),
-        ("threads", settings.threads.filter(|&n| n != 1), "this engine has one thread"),
+        (
+            "sweeps",
+            settings.sweeps,
+            "bodies don't collide in this chapter",
+        ),
+        (
+            "substeps",
+            settings.substeps,
+            "this method makes whole steps",
+        ),
+        (
+            "threads",
+            settings.threads.filter(|&n| n != 1),
+            "this engine has one thread",
+        ),
     ];
     for (setting, value, why) in flags {
         if let Some(value) = value {
@@ -188,14 +200,28 @@ impl Loaded {
             self.vectors("p", "m", "position", RigidBody::position),
             self.vectors("p*", "m", "position one step ago", RigidBody::last_position),
             self.quaternions("q", "orientation", RigidBody::orientation),
-            self.quaternions("q*", "orientation one step ago", RigidBody::last_orientation),
+            self.quaternions(
+                "q*",
+                "orientation one step ago",
+                RigidBody::last_orientation,
+            ),
             self.vectors("v", "m/s", "linear velocity", |b| b.velocity().v),
             self.vectors("ω", "rad/s", "angular velocity, world axes", |b| {
                 b.velocity().omega
             }),
             self.vectors("a", "m/s²", "acceleration", RigidBody::acceleration),
-            self.scalars("m", "kg", "mass; infinite for static bodies", RigidBody::mass),
-            self.vectors("I", "kg m²", "principal moments of inertia", RigidBody::inertia),
+            self.scalars(
+                "m",
+                "kg",
+                "mass; infinite for static bodies",
+                RigidBody::mass,
+            ),
+            self.vectors(
+                "I",
+                "kg m²",
+                "principal moments of inertia",
+                RigidBody::inertia,
+            ),
         ]
     }
 

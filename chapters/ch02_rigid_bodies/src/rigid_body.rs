@@ -69,7 +69,13 @@ pub struct RigidBody {
 impl RigidBody {
     /// A body at rest at the origin. A mass of 0 makes it static.
     #[must_use]
-    pub fn new(node: NodeId, method: Method, collider: Shape, mass: f32, material: Material) -> Self {
+    pub fn new(
+        node: NodeId,
+        method: Method,
+        collider: Shape,
+        mass: f32,
+        material: Material,
+    ) -> Self {
         let is_static = mass == 0.0;
         let inertia = collider.inertia(mass);
         Self {
@@ -80,7 +86,11 @@ impl RigidBody {
             mass: if is_static { f32::INFINITY } else { mass },
             inverse_mass: if is_static { 0.0 } else { 1.0 / mass },
             inertia,
-            inverse_inertia: if is_static { Vec3::ZERO } else { inertia.recip() },
+            inverse_inertia: if is_static {
+                Vec3::ZERO
+            } else {
+                inertia.recip()
+            },
             p: Vec3::ZERO,
             p_last: Vec3::ZERO,
             q: Quat::IDENTITY,
@@ -248,10 +258,7 @@ impl RigidBody {
         let moved = verlet::printed::displacement(self.p, self.p_last, self.acceleration, f, dt);
         let turned = rotation::log((self.q * self.q_last.conjugate()).normalize()) * f
             + rotation::moment(self.q, self.inverse_inertia, self.torque) * (dt * dt);
-        (
-            self.p + moved,
-            rotation::printed::turned(self.q, turned),
-        )
+        (self.p + moved, rotation::printed::turned(self.q, turned))
     }
     // ANCHOR_END: printed
 

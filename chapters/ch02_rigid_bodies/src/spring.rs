@@ -25,9 +25,7 @@ impl Spring {
         let arm = body.q * self.anchor;
         let stretch = self.target - (body.p + arm);
         let speed = velocity.v + velocity.omega.cross(arm);
-        let force = body.mass
-            * Self::FREQUENCY
-            * (Self::FREQUENCY * stretch - 2.0 * speed);
+        let force = body.mass * Self::FREQUENCY * (Self::FREQUENCY * stretch - 2.0 * speed);
         // The arm is kept short for the torque, so that a long thin body isn't whirled round.
         (force, 0.4 * arm.cross(force))
     }

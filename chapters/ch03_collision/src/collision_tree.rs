@@ -23,10 +23,17 @@ impl CollisionTree {
     // ANCHOR: broad
     /// Broad phase: the pairs that may be within the margin of each other, in order of index. Two
     /// bodies that can't move are no pair, and a held body touches nothing.
-    pub fn find_pairs(&mut self, bodies: &[Shared<RigidBody>], margins: Margins) -> &[(usize, usize)] {
+    pub fn find_pairs(
+        &mut self,
+        bodies: &[Shared<RigidBody>],
+        margins: Margins,
+    ) -> &[(usize, usize)] {
         self.boxes.clear();
-        self.boxes
-            .extend(bodies.iter().map(|body| bounding_box(&body.borrow(), margins)));
+        self.boxes.extend(
+            bodies
+                .iter()
+                .map(|body| bounding_box(&body.borrow(), margins)),
+        );
         self.tree.build(&self.boxes);
         self.pairs.clear();
         for (i, body) in bodies.iter().enumerate() {

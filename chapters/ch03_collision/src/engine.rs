@@ -86,7 +86,8 @@ impl CollisionEngine {
     /// Where they do.
     fn find_contacts(&mut self, dt: f32) {
         let margins = self.margins(dt);
-        self.tree.find_contacts(&self.world.bodies, margins, &mut self.contacts);
+        self.tree
+            .find_contacts(&self.world.bodies, margins, &mut self.contacts);
     }
 
     /// The report's method looks at what overlaps, and at nothing else.

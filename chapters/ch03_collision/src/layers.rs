@@ -40,10 +40,18 @@ pub fn contacts(contacts: &[Contact]) -> Vec<Line> {
     for contact in contacts {
         let (u, v) = contact.normal.any_orthonormal_pair();
         for arm in [u, v] {
-            lines.push(line(contact.point - 0.04 * arm, contact.point + 0.04 * arm, CROSS));
+            lines.push(line(
+                contact.point - 0.04 * arm,
+                contact.point + 0.04 * arm,
+                CROSS,
+            ));
         }
         let length = 0.1 + 0.05 * contact.impulse.length().sqrt();
-        lines.push(line(contact.point, contact.point + contact.normal * length, NORMAL));
+        lines.push(line(
+            contact.point,
+            contact.point + contact.normal * length,
+            NORMAL,
+        ));
     }
     lines
 }
@@ -68,7 +76,10 @@ fn edges(aabb: &Aabb, colour: Vec3) -> impl Iterator<Item = Line> + use<> {
     let (min, size) = (aabb.min, aabb.size());
     (0..3).flat_map(move |axis| {
         let along = Vec3::AXES[axis] * size;
-        let others = [Vec3::AXES[(axis + 1) % 3] * size, Vec3::AXES[(axis + 2) % 3] * size];
+        let others = [
+            Vec3::AXES[(axis + 1) % 3] * size,
+            Vec3::AXES[(axis + 2) % 3] * size,
+        ];
         [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)].map(|(s, t)| {
             let from = min + s * others[0] + t * others[1];
             line(from, from + along, colour)

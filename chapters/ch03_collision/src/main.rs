@@ -9,6 +9,14 @@ fn main() -> ExitCode {
         about: "Bouncing balls: the report's first demo.",
         engines: &[ch03_collision::ENGINE],
         default_scene: "balls",
-        scenes: &["balls", "pair", "bounce", "bounce_half", "tops", "magnets", "orrery"],
+        scenes: &[
+            "balls",
+            "pair",
+            "bounce",
+            "bounce_half",
+            "tops",
+            "magnets",
+            "orrery",
+        ],
     })
 }

@@ -52,8 +52,10 @@ pub struct Placed<'a> {
 pub fn is_known(a: &Shape, b: &Shape) -> bool {
     matches!(
         (a, b),
-        (Shape::Sphere { .. }, Shape::Sphere { .. } | Shape::Box { .. })
-            | (Shape::Box { .. }, Shape::Sphere { .. })
+        (
+            Shape::Sphere { .. },
+            Shape::Sphere { .. } | Shape::Box { .. }
+        ) | (Shape::Box { .. }, Shape::Sphere { .. })
     )
 }
 

@@ -1,8 +1,8 @@
 //! What this chapter models so far: which scenes it takes and which it must refuse.
 
 use ch00_maths::f32::shape::Shape;
-use ch01_hierarchy::Shared;
 use ch00_scenes::{LoadError, Scene, Settings};
+use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
 
 use crate::ENGINE;
@@ -60,8 +60,20 @@ pub fn check_settings(method: &'static str, settings: &Settings) -> Result<(), L
     };
     let refused = [
         ("sweeps", sweeps),
-        ("substeps", settings.substeps.filter(|&n| n != 1).map(|n| (n, "this method makes whole steps"))),
-        ("threads", settings.threads.filter(|&n| n != 1).map(|n| (n, "this engine has one thread"))),
+        (
+            "substeps",
+            settings
+                .substeps
+                .filter(|&n| n != 1)
+                .map(|n| (n, "this method makes whole steps")),
+        ),
+        (
+            "threads",
+            settings
+                .threads
+                .filter(|&n| n != 1)
+                .map(|n| (n, "this engine has one thread")),
+        ),
     ];
     for (setting, refused) in refused {
         if let Some((value, why)) = refused {

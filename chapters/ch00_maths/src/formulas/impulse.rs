@@ -22,7 +22,8 @@ impl Mass {
     /// uses I⁻¹ some fifty times a body, so one turn of the matrix is cheaper than a hundred of vectors.
     #[must_use]
     pub fn new(inverse_mass: Real, inverse_inertia: Vec3, q: Quat) -> Self {
-        let is_ball = inverse_inertia.x == inverse_inertia.y && inverse_inertia.y == inverse_inertia.z;
+        let is_ball =
+            inverse_inertia.x == inverse_inertia.y && inverse_inertia.y == inverse_inertia.z;
         let diagonal = Mat3::from_diagonal(inverse_inertia);
         let inverse_inertia = if is_ball {
             diagonal

@@ -28,7 +28,7 @@ pub fn exp(theta: Vec3) -> Quat {
 /// log: the rotation vector of a unit quaternion, rad, the shorter way round: |θ| ≤ π.
 ///
 /// The report's 2 vec(ln q), with q and −q read alike. The arc tangent keeps full accuracy
-/// where an arc cosine of w would lose half of the digits.
+/// where an arc cosine of w would lose half of the digits; below 0.01 rad its series, 2(t − ⅓t³ + …).
 #[must_use]
 pub fn log(q: Quat) -> Vec3 {
     let sign = if q.w < 0.0 { -1.0 } else { 1.0 };
@@ -37,8 +37,8 @@ pub fn log(q: Quat) -> Vec3 {
     let sine2 = v.length_squared();
     let sine = sine2.sqrt();
     let angle_over_sine = if sine < 0.01 * w {
-        let tangent2 = sine2 / (w * w);
-        (2.0 - tangent2 * (2.0 / 3.0 - 0.4 * tangent2)) / w
+        let t2 = sine2 / (w * w);
+        (2.0 - t2 * (2.0 / 3.0 - t2 * (0.4 - t2 * 2.0 / 7.0))) / w
     } else {
         2.0 * atan2(sine, w) / sine
     };

@@ -144,7 +144,7 @@ mod tests {
     use crate::measures::Penetration;
 
     fn reference() -> Scene {
-        let text = include_str!("../../tests/reference/scenes/balls_60.json");
+        let text = include_str!("../../../../tests/reference/scenes/balls_60.json");
         Scene::from_json(text, "balls_60.json").unwrap()
     }
 

@@ -147,7 +147,7 @@ mod tests {
 
     #[test]
     fn two_boxes_that_touch_are_counted_as_not_measured() {
-        let text = include_str!("../../tests/reference/scenes/half_metre_boxes_15.json");
+        let text = include_str!("../../../../tests/reference/scenes/half_metre_boxes_15.json");
         let scene = Scene::from_json(text, "half_metre_boxes_15.json").unwrap();
         assert_eq!(start(&scene).pairs_not_measured, 15);
     }
@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn the_ragdolls_of_the_reference_start_apart() {
-        let text = include_str!("../../tests/reference/scenes/ragdolls_5.json");
+        let text = include_str!("../../../../tests/reference/scenes/ragdolls_5.json");
         let scene = Scene::from_json(text, "ragdolls_5.json").unwrap();
         let found = start(&scene);
         assert_eq!(found.pairs_not_measured, 0);

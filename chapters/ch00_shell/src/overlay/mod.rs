@@ -56,10 +56,23 @@ pub struct Layout {
     output: egui::FullOutput,
     /// What is left for the scene.
     pub viewport: Viewport,
+    background: egui::Color32,
 }
 
 impl Layout {
-    pub fn drop_it(mut self) { self.output.textures_delta.clear(); }
+    pub fn drop_it(mut self) {
+        self.output.textures_delta.clear();
+    }
+    /// The panels' colour, as displayed. The scene's pass clears the picture with it, which
+    /// costs less than to fill the panels.
+    pub fn background(&self) -> wgpu::Color {
+        let [r, g, b, _] = self
+            .background
+            .to_array()
+            .map(|part| f64::from(part) / 255.0);
+        wgpu::Color { r, g, b, a: 1.0 }
+    }
+
     /// Pixels per point of the screen.
     pub fn scale(&self) -> f32 {
         self.output.pixels_per_point
@@ -123,6 +136,7 @@ impl Overlay {
         self.input.handle_platform_output(window, platform);
         Layout {
             viewport: viewport(free, output.pixels_per_point, size),
+            background: context.global_style().visuals.panel_fill,
             output,
         }
     }
@@ -160,6 +174,7 @@ impl Overlay {
             .default_size(WIDTH)
             .size_range(240.0..=520.0)
             .drag_to_open(false)
+            .frame(style::panel(ui))
             .show_collapsible(ui, &mut is_shown, |ui| self.show_sections(ui, stage));
         stage.shows_overlay = is_shown;
         if stage.shows_overlay && self.properties.is_table_shown() {

@@ -4,7 +4,7 @@
 use ch00_scenes::{Column, ColumnData};
 use egui_extras::{Column as Width, TableBuilder};
 
-use super::Section;
+use super::{Section, style};
 use crate::stage::Stage;
 
 /// Rows that the table shows at the start.
@@ -83,6 +83,7 @@ impl Properties {
         egui::Panel::bottom("properties")
             .default_size(190.0)
             .size_range(90.0..=400.0)
+            .frame(style::panel(ui))
             .show(ui, |ui| {
                 egui::ScrollArea::horizontal().show(ui, |ui| {
                     table(ui, &chosen, &rows, &mut stage.picked);

@@ -33,5 +33,10 @@ pub fn apply(context: &egui::Context, theme: Theme) {
     });
 }
 
+/// The frame of a panel: nothing is filled, as the picture has the panels' colour there.
+pub fn panel(ui: &egui::Ui) -> egui::Frame {
+    egui::Frame::side_top_panel(ui.style()).fill(Color32::TRANSPARENT)
+}
+
 /// For what needs attention.
 pub const WARNING: Color32 = Color32::from_rgb(230, 120, 40);

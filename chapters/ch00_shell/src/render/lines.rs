@@ -136,5 +136,9 @@ pub fn wall_edges(
             color,
         })
     };
-    surroundings.wall_faces.iter().filter(is_seen).flat_map(edges_of)
+    surroundings
+        .wall_faces
+        .iter()
+        .filter(is_seen)
+        .flat_map(edges_of)
 }

@@ -50,6 +50,8 @@ pub struct Picture<'a> {
     pub scale: f32,
     /// In which colours.
     pub theme: Theme,
+    /// The colour around the viewport, as displayed.
+    pub margin: wgpu::Color,
     /// The body that glows.
     pub picked: Option<usize>,
     /// Lines besides the walls' edges.
@@ -126,7 +128,7 @@ impl Renderer {
     ) {
         self.write(gpu, picture);
         self.draw_shadow(encoder);
-        self.draw_scene(gpu, encoder, view, size, picture.viewport);
+        self.draw_scene(gpu, encoder, view, size, picture);
     }
 
     /// Everything that has changed since the last frame.
@@ -162,7 +164,9 @@ impl Renderer {
     fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder) {
         let mut pass = self.shadow.begin(encoder);
         pass.set_bind_group(0, &self.bindings.shadow, &[]);
-        if !skip("shadow") { self.bodies.draw_depths(&mut pass); }
+        if !skip("shadow") {
+            self.bodies.draw_depths(&mut pass);
+        }
     }
 
     fn draw_scene(
@@ -171,21 +175,27 @@ impl Renderer {
         encoder: &mut wgpu::CommandEncoder,
         view: &wgpu::TextureView,
         size: [u32; 2],
-        viewport: Viewport,
+        picture: &Picture,
     ) {
         let fitting = self.targets.take().filter(|targets| targets.fits(size));
         let targets =
             fitting.unwrap_or_else(|| Targets::new(&gpu.device, self.format, &self.quality, size));
-        let mut pass = targets.begin(encoder, view);
-        let (origin, extent) = (viewport.origin, viewport.size);
+        let mut pass = targets.begin(encoder, view, picture.margin);
+        let (origin, extent) = (picture.viewport.origin, picture.viewport.size);
         pass.set_viewport(origin.x, origin.y, extent.x, extent.y, 0.0, 1.0);
         pass.set_bind_group(0, &self.bindings.scene, &[]);
-        if !skip("bodies") { self.bodies.draw(&mut pass); }
+        if !skip("bodies") {
+            self.bodies.draw(&mut pass);
+        }
         self.scenery.draw(&mut pass);
-        if !skip("lines") { self.lines.draw(&mut pass); }
+        if !skip("lines") {
+            self.lines.draw(&mut pass);
+        }
         drop(pass);
         self.targets = Some(targets);
     }
 }
 
-pub fn skip(what: &str) -> bool { std::env::var("SKIP").is_ok_and(|v| v.split(',').any(|w| w == what)) }
+pub fn skip(what: &str) -> bool {
+    std::env::var("SKIP").is_ok_and(|v| v.split(',').any(|w| w == what))
+}

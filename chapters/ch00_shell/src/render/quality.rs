@@ -35,8 +35,18 @@ impl Quality {
     #[must_use]
     pub fn of(is_software: bool) -> Self {
         if is_software {
-            let e = |n: &str, d: u32| std::env::var(n).ok().and_then(|v| v.parse().ok()).unwrap_or(d);
-            Self { samples: e("SAMPLES", 4), shadow_size: e("SHADOW", 1024), most_subdivisions: e("SUB", 3), ..Self::SOFTWARE }
+            let e = |n: &str, d: u32| {
+                std::env::var(n)
+                    .ok()
+                    .and_then(|v| v.parse().ok())
+                    .unwrap_or(d)
+            };
+            Self {
+                samples: e("SAMPLES", 4),
+                shadow_size: e("SHADOW", 1024),
+                most_subdivisions: e("SUB", 3),
+                ..Self::SOFTWARE
+            }
         } else {
             Self::CARD
         }

@@ -24,6 +24,9 @@ const WALL: [wgpu::VertexAttribute; 3] =
 pub struct Scenery {
     sky: wgpu::RenderPipeline,
     ground: wgpu::RenderPipeline,
+    /// The ground of a scene without a floor.
+    grid_only: wgpu::RenderPipeline,
+    has_ground: bool,
     walls: wgpu::RenderPipeline,
     wall_vertices: GrowingBuffer,
     wall_vertex_count: u32,
@@ -32,7 +35,7 @@ pub struct Scenery {
 impl Scenery {
     /// Without walls.
     pub fn new(maker: &PipelineMaker) -> Self {
-        let shadow_reach = [("shadow_reach", f64::from(maker.quality.shadow_reach))];
+        let shadow_reach = ("shadow_reach", f64::from(maker.quality.shadow_reach));
         let plain = Recipe {
             shader: shaders::SKY,
             entries: ["vs_sky", "fs_sky"],
@@ -44,12 +47,15 @@ impl Scenery {
             is_translucent: false,
             constants: &[],
         };
-        let ground = Recipe {
-            shader: shaders::GROUND,
-            entries: ["vs_ground", "fs_ground"],
-            is_translucent: true,
-            constants: &shadow_reach,
-            ..plain
+        let ground = |is_opaque: bool| {
+            maker.make(&Recipe {
+                shader: shaders::GROUND,
+                entries: ["vs_ground", "fs_ground"],
+                hides: is_opaque,
+                is_translucent: !is_opaque,
+                constants: &[shadow_reach, ("is_opaque", f64::from(u8::from(is_opaque)))],
+                ..plain
+            })
         };
         let wall_layout = wgpu::VertexBufferLayout {
             array_stride: size_of::<WallVertex>() as u64,
@@ -67,7 +73,9 @@ impl Scenery {
         };
         Self {
             sky: maker.make(&plain),
-            ground: maker.make(&ground),
+            ground: ground(true),
+            grid_only: ground(false),
+            has_ground: false,
             walls: maker.make(&walls),
             wall_vertices: GrowingBuffer::new(maker.device, "walls", wgpu::BufferUsages::VERTEX),
             wall_vertex_count: 0,
@@ -80,15 +88,23 @@ impl Scenery {
         self.wall_vertices.write(device, queue, &vertices);
         // More than 2³² corners of walls would draw none.
         self.wall_vertex_count = u32::try_from(vertices.len()).unwrap_or(0);
+        self.has_ground = around.has_floor;
     }
 
-    /// Draws background, ground and walls over and behind the bodies drawn before.
+    /// Draws ground, background and walls where the bodies drawn before leave room. What
+    /// hides comes first, so that no pixel is drawn in vain.
     pub fn draw(&self, pass: &mut wgpu::RenderPass) {
-        pass.set_pipeline(&self.sky);
-        if !super::skip("sky") { pass.draw(0..3, 0..1); }
-        pass.set_pipeline(&self.ground);
-        if !super::skip("ground") { pass.draw(0..4, 0..1); }
-        if self.wall_vertex_count > 0 && !super::skip("walls") {
+        let corners_of = |pipeline| if pipeline == &self.sky { 3 } else { 4 };
+        let order = if self.has_ground {
+            [&self.ground, &self.sky]
+        } else {
+            [&self.sky, &self.grid_only]
+        };
+        for pipeline in order {
+            pass.set_pipeline(pipeline);
+            pass.draw(0..corners_of(pipeline), 0..1);
+        }
+        if self.wall_vertex_count > 0 {
             pass.set_pipeline(&self.walls);
             pass.set_vertex_buffer(0, self.wall_vertices.slice());
             pass.draw(0..self.wall_vertex_count, 0..1);

@@ -51,21 +51,34 @@ impl Targets {
         self.size == size
     }
 
-    /// Begins drawing; at the end the samples of each pixel are averaged into `picture`.
+    /// Begins drawing on a background; at the end the samples of each pixel are averaged into `picture`.
     pub fn begin<'a>(
         &self,
         encoder: &'a mut wgpu::CommandEncoder,
         picture: &wgpu::TextureView,
+        background: wgpu::Color,
     ) -> wgpu::RenderPass<'a> {
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("scene"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: if std::env::var("SAMPLES").as_deref() == Ok("1") { picture } else { &self.color },
+                view: if std::env::var("SAMPLES").as_deref() == Ok("1") {
+                    picture
+                } else {
+                    &self.color
+                },
                 depth_slice: None,
-                resolve_target: if std::env::var("SAMPLES").as_deref() == Ok("1") { None } else { Some(picture) },
+                resolve_target: if std::env::var("SAMPLES").as_deref() == Ok("1") {
+                    None
+                } else {
+                    Some(picture)
+                },
                 ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                    store: if std::env::var("SAMPLES").as_deref() == Ok("1") {wgpu::StoreOp::Store} else {wgpu::StoreOp::Discard},
+                    load: wgpu::LoadOp::Clear(background),
+                    store: if std::env::var("SAMPLES").as_deref() == Ok("1") {
+                        wgpu::StoreOp::Store
+                    } else {
+                        wgpu::StoreOp::Discard
+                    },
                 },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {

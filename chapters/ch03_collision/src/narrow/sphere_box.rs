@@ -72,7 +72,13 @@ mod tests {
             q: Quat::IDENTITY,
             p_before,
         };
-        sphere_box(&placed(&ball, p, p_before), 0.2, &placed(&block, Vec3::ZERO, Vec3::ZERO), HALF, 0.0)
+        sphere_box(
+            &placed(&ball, p, p_before),
+            0.2,
+            &placed(&block, Vec3::ZERO, Vec3::ZERO),
+            HALF,
+            0.0,
+        )
     }
 
     #[test]

@@ -80,30 +80,58 @@ fn touching(count: usize, contacts: &[Contact]) -> impl Iterator<Item = usize> {
 }
 
 /// Works out what stays the same during all sweeps.
-fn prepare(bodies: &[Shared<RigidBody>], contacts: &[Contact], rules: Rules, dt: f32) -> Vec<Constraint> {
+fn prepare(
+    bodies: &[Shared<RigidBody>],
+    contacts: &[Contact],
+    rules: Rules,
+    dt: f32,
+) -> Vec<Constraint> {
     contacts
         .iter()
-        .map(|contact| prepare_one(&bodies[contact.a].borrow(), &bodies[contact.b].borrow(), contact, rules, dt))
+        .map(|contact| {
+            prepare_one(
+                &bodies[contact.a].borrow(),
+                &bodies[contact.b].borrow(),
+                contact,
+                rules,
+                dt,
+            )
+        })
         .collect()
 }
 
-fn prepare_one(one: &RigidBody, two: &RigidBody, contact: &Contact, rules: Rules, dt: f32) -> Constraint {
+fn prepare_one(
+    one: &RigidBody,
+    two: &RigidBody,
+    contact: &Contact,
+    rules: Rules,
+    dt: f32,
+) -> Constraint {
     let n = contact.normal;
     let r1 = contact.point - one.position();
     let r2 = contact.point - two.position();
     let response = |u| impulse::response(one.answers(), r1, two.answers(), r2, u);
     let (across_1, across_2) = n.any_orthonormal_pair();
     let (material_1, material_2) = (one.material(), two.material());
+    let closing = (two.acceleration() - one.acceleration()).dot(n);
+    let approach = impulse::relative_velocity(one.moving(), r1, two.moving(), r2).dot(n);
+    let speed = surface_speed((-approach).max(0.0), closing, contact.depth.max(0.0));
+    // Who bounces starts from the surface; who rests may stay a little inside.
+    let slop = if speed > rules.restitution_threshold {
+        0.0
+    } else {
+        rules.slop
+    };
     Constraint {
         a: contact.a,
         b: contact.b,
         normal: n,
         r1,
         r2,
-        depth: contact.depth - rules.slop,
+        depth: contact.depth - slop,
         pushed: 0.0,
         gap_speed: (-contact.depth).max(0.0) / dt,
-        closing: (two.acceleration() - one.acceleration()).dot(n),
+        closing,
         response: response(n),
         response_across: response(across_1).max(response(across_2)),
         restitution: mixed_restitution(material_1.restitution, material_2.restitution),
@@ -132,7 +160,10 @@ fn push_apart(
     for shift in &mut shifts {
         *shift = shift.clamp_length_max(LONGEST_SHIFT);
     }
-    for c in constraints.iter_mut().filter(|c| c.is_against_static(bodies)) {
+    for c in constraints
+        .iter_mut()
+        .filter(|c| c.is_against_static(bodies))
+    {
         c.part(bodies, &mut shifts);
     }
     shifts
@@ -181,7 +212,10 @@ fn rest(bodies: &[Shared<RigidBody>], constraints: &mut [Constraint], rules: Rul
             c.hold(bodies, rules);
         }
     }
-    for c in constraints.iter_mut().filter(|c| c.is_against_static(bodies)) {
+    for c in constraints
+        .iter_mut()
+        .filter(|c| c.is_against_static(bodies))
+    {
         c.hold(bodies, rules);
     }
 }

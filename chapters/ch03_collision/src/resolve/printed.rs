@@ -49,10 +49,8 @@ fn impulse_size(
 ) -> f32 {
     let r1 = contact.point - body_1.position();
     let r2 = contact.point - body_2.position();
-    let e = impulse::mixed_restitution(
-        body_1.material().restitution,
-        body_2.material().restitution,
-    );
+    let e =
+        impulse::mixed_restitution(body_1.material().restitution, body_2.material().restitution);
     let response = impulse::response(mass_1, r1, mass_2, r2, contact.normal);
     impulse::magnitude(approach, e, response)
 }

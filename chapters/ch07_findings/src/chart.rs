@@ -1,0 +1,90 @@
+//! A chart as data: what was measured, before anyone draws it. `draw` turns it into SVG and
+//! CSV, tests look at the numbers.
+
+/// A chart: curves over a common pair of axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// File name without ending, and what `chart NAME` says.
+    pub name: &'static str,
+    /// What it shows, in one line.
+    pub title: String,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// The curves.
+    pub series: Vec<Series>,
+}
+
+/// One axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Quantity and unit.
+    pub label: String,
+    /// How it is divided.
+    pub scale: Scale,
+}
+
+/// How an axis is divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By powers of ten. A value of 0 or less is drawn on a labelled band below the axis.
+    Log,
+}
+
+/// One curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// As the legend calls it.
+    pub name: String,
+    /// How it is drawn.
+    pub style: Style,
+    /// x and y. A y that is not finite is a failure and is drawn on a labelled band at the edge.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// What a curve is, which decides how it is drawn; the same on all charts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// The report's formula as printed.
+    Printed,
+    /// The formula with its erratum mended.
+    Corrected,
+    /// What theory predicts: a thin line without marks.
+    Theory,
+    /// Something between: by number.
+    Other(usize),
+}
+
+impl Axis {
+    /// An evenly divided axis.
+    #[must_use]
+    pub fn linear(label: &str) -> Self {
+        Self {
+            label: label.to_owned(),
+            scale: Scale::Linear,
+        }
+    }
+
+    /// An axis by powers of ten.
+    #[must_use]
+    pub fn log(label: &str) -> Self {
+        Self {
+            label: label.to_owned(),
+            scale: Scale::Log,
+        }
+    }
+}
+
+impl Series {
+    /// A curve of `y(x)` at these places.
+    pub fn of(name: &str, style: Style, places: &[f64], y: impl Fn(f64) -> f64) -> Self {
+        Self {
+            name: name.to_owned(),
+            style,
+            points: places.iter().map(|&x| (x, y(x))).collect(),
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! How a curve looks: the same on all charts. Colours are told apart by colour-blind readers too
+//! (Okabe and Ito 2008; orange and sky blue a little darker, to be seen on white), and every
+//! colour has a mark of its own.
+
+use super::canvas::{Canvas, Drawn, Ink, Point};
+use super::text::GREY;
+use crate::chart::Style;
+
+/// Shape of a mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shape {
+    Disc,
+    Square,
+    Triangle,
+    Diamond,
+    Down,
+    Cross,
+}
+
+/// Radius of a disc, pixels; the other shapes look as large.
+const RADIUS: f64 = 4.0;
+
+/// Colours and shapes of what is neither printed nor corrected, in turn.
+const OTHERS: [(Ink, Shape); 5] = [
+    (Ink::full((0x00, 0x9E, 0x73)), Shape::Triangle),
+    (Ink::full((0xCC, 0x79, 0xA7)), Shape::Diamond),
+    (Ink::full((0xC8, 0x88, 0x00)), Shape::Down),
+    (Ink::full((0x3E, 0x9F, 0xD8)), Shape::Cross),
+    (Ink::full((0x9A, 0x8F, 0x1A)), Shape::Triangle),
+];
+
+/// The colour of a curve.
+pub fn ink(style: Style) -> Ink {
+    look(style).0
+}
+
+fn look(style: Style) -> (Ink, Option<Shape>) {
+    match style {
+        Style::Printed => (Ink::full((0xD5, 0x5E, 0x00)), Some(Shape::Disc)),
+        Style::Corrected => (Ink::full((0x00, 0x72, 0xB2)), Some(Shape::Square)),
+        Style::Theory => (GREY, None),
+        Style::Other(number) => {
+            let (ink, shape) = OTHERS[number % OTHERS.len()];
+            (ink, Some(shape))
+        }
+    }
+}
+
+/// Draws a piece of a curve.
+pub fn line(canvas: &mut Canvas, style: Style, points: &[Point]) -> Drawn {
+    match style {
+        Style::Theory => canvas.dashes(points, ink(style), 1.5),
+        _ => canvas.line(points, ink(style), 2.0),
+    }
+}
+
+/// Draws a curve's mark at a point; theory has none.
+pub fn mark(canvas: &mut Canvas, style: Style, at: Point) -> Drawn {
+    let (ink, Some(shape)) = look(style) else {
+        return Ok(());
+    };
+    let corners = |corners: &[Point]| -> Vec<Point> {
+        let place = |&(x, y): &Point| (at.0 + RADIUS * x, at.1 + RADIUS * y);
+        corners.iter().map(place).collect()
+    };
+    match shape {
+        Shape::Disc => canvas.disc(at, RADIUS, ink),
+        Shape::Square => canvas.polygon(&corners(&SQUARE), ink),
+        Shape::Triangle => canvas.polygon(&corners(&TRIANGLE), ink),
+        Shape::Down => canvas.polygon(&corners(&TRIANGLE.map(|(x, y)| (x, -y))), ink),
+        Shape::Diamond => canvas.polygon(&corners(&DIAMOND), ink),
+        Shape::Cross => {
+            canvas.line(&corners(&[(-0.95, -0.95), (0.95, 0.95)]), ink, 2.2)?;
+            canvas.line(&corners(&[(-0.95, 0.95), (0.95, -0.95)]), ink, 2.2)
+        }
+    }
+}
+
+const SQUARE: [Point; 4] = [(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)];
+const TRIANGLE: [Point; 3] = [(0.0, -1.25), (1.15, 0.8), (-1.15, 0.8)];
+const DIAMOND: [Point; 4] = [(0.0, -1.35), (1.15, 0.0), (0.0, 1.35), (-1.15, 0.0)];

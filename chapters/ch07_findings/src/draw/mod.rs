@@ -1,0 +1,68 @@
+//! A chart as SVG, for print and for dark pages alike, and as CSV with all digits.
+//!
+//! Nothing is dropped and nothing is clipped: what a logarithmic axis can't hold (0 and less) and
+//! what no axis can hold (NaN and infinities) stands on a labelled band at the edge. The same
+//! chart gives the same bytes.
+
+mod canvas;
+mod csv;
+mod curves;
+mod frame;
+mod legend;
+mod marks;
+mod numbers;
+mod scale;
+mod text;
+
+pub use csv::{csv, quoted};
+
+use crate::chart::Chart;
+use crate::error::FindingsError;
+use canvas::{Canvas, Drawn};
+use frame::Frame;
+use legend::Legend;
+
+/// Width of every chart, pixels; the height follows from what there is to say.
+const WIDTH: f64 = 720.0;
+/// Height of the part of a chart that the curves share, pixels.
+const PLOT_HEIGHT: f64 = 330.0;
+/// Free space at the edges, pixels.
+const MARGIN: f64 = 10.0;
+
+/// The chart as an SVG file: transparent ground, no fonts or scripts from elsewhere.
+///
+/// # Errors
+/// [`FindingsError::Draw`] where the drawing library gives up.
+pub fn svg(chart: &Chart) -> Result<String, FindingsError> {
+    let title = text::wrapped(&chart.title, text::TITLE, WIDTH - 2.0 * MARGIN);
+    let legend = Legend::new(&chart.series, WIDTH - 2.0 * MARGIN);
+    let title_height = text::TITLE * 1.35 * title.len() as f64;
+    let top = MARGIN + title_height + legend.height();
+    let frame = Frame::new(chart, top);
+
+    let mut file = String::new();
+    let mut canvas = Canvas::new(&mut file, WIDTH, frame.bottom());
+    let drawn = draw(&mut canvas, chart, &title, &legend, &frame).and_then(|()| canvas.finish());
+    drawn.map_err(|error| FindingsError::Draw {
+        chart: chart.name.to_owned(),
+        why: error.to_string(),
+    })?;
+    Ok(canvas::in_pixels(&file, WIDTH, frame.bottom(), &chart.title))
+}
+
+fn draw(
+    canvas: &mut Canvas,
+    chart: &Chart,
+    title: &[String],
+    legend: &Legend,
+    frame: &Frame,
+) -> Drawn {
+    let mut y = MARGIN + 0.5 * text::TITLE;
+    for line in title {
+        canvas.text(line, MARGIN, y, &text::title())?;
+        y += 1.35 * text::TITLE;
+    }
+    legend.draw(canvas, MARGIN, y)?;
+    frame.draw(canvas, chart)?;
+    curves::draw(canvas, &chart.series, frame)
+}

@@ -1,0 +1,53 @@
+//! Why the top binary can't do what it was asked, in one paragraph for its user.
+
+use std::path::PathBuf;
+
+use ch00_scenes::{LoadError, SceneError};
+use ch00_shell::ShellError;
+use thiserror::Error;
+
+/// Everything that ends the program with exit status 1.
+#[derive(Debug, Error)]
+pub enum FindingsError {
+    /// What every chapter's program can fail at.
+    #[error(transparent)]
+    Shell(#[from] ShellError),
+    /// A scene of a chart can't be had.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// An engine can't take a scene of a chart.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// No such chart.
+    #[error("there is no chart `{name}`; there are: {known}")]
+    UnknownChart {
+        /// What was asked for.
+        name: String,
+        /// What there is, separated by commas.
+        known: String,
+    },
+    /// Charts can't be written there.
+    #[error("{}: charts can't be written there: {source}; choose another folder with `--out DIR`", path.display())]
+    Write {
+        /// The folder or file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The drawing library gave up.
+    #[error("chart `{chart}` can't be drawn: {why}")]
+    Draw {
+        /// Name of the chart.
+        chart: String,
+        /// What the library says.
+        why: String,
+    },
+    /// The report's table can't be read.
+    #[error("report_tables.csv, line {line}: `{text}` is no row of the report's tables")]
+    Report {
+        /// Number of the line, from 1.
+        line: usize,
+        /// What stands there.
+        text: String,
+    },
+}
