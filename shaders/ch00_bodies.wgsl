@@ -1,4 +1,4 @@
-// Bodies: one mesh a shape, one instance a body. Needs common/rotation, ch00_frame, ch00_light.
+// Bodies that are no balls: one mesh a shape, one instance a body. Needs common/rotation, ch00_frame, ch00_light.
 //
 // A mesh's vertex is placed by  position * size.xyz + (0, axis * size.w, 0)  in the body's
 // coordinates: a capsule's caps scale with its radius and move by its half height, so that
@@ -13,7 +13,7 @@ struct Vertex {
 
 struct Instance {
     @location(3) position: vec3f,
-    // 0 sphere, 1 box, 2 capsule, 3 cylinder.
+    // 1 box, 2 capsule, 3 cylinder.
     @location(4) shape: u32,
     @location(5) orientation: vec4f,
     // Radius thrice and half height; or half extents and 0, m.
@@ -55,19 +55,17 @@ fn vs_body(vertex: Vertex, instance: Instance) -> Surface {
 }
 
 // 0 on one part of the surface and 1 on the other, with a soft border: what makes a spin visible.
-// A ball is divided by the curve of a tennis ball, a box by a frame along its edges, a
-// capsule and a cylinder by a stripe along a side.
-fn pattern(surface: Surface) -> f32 {
+// A box is divided by a frame along its edges, a capsule and a cylinder into quarters.
+fn tone(surface: Surface) -> f32 {
     let p = surface.local;
-    var border = p.y + 1.3 * (p.x * p.x - p.z * p.z);
+    var border = p.x * p.z;
     if surface.shape == 1u {
         let rim = (vec3f(1.0) - abs(p)) * surface.size.xyz;
-        // The two smallest of the three are those within the face; the third is 0 on it.
+        // Of the three, the middle one is the distance to the nearest edge of the face; the
+        // smallest is 0 all over it.
         let to_edge = min(max(rim.x, rim.y), min(max(rim.y, rim.z), max(rim.x, rim.z)));
         let smallest = min(surface.size.x, min(surface.size.y, surface.size.z));
         border = 0.16 * smallest - to_edge;
-    } else if surface.shape >= 2u {
-        border = p.x * p.z;
     }
     let soft = max(fwidth(border), 1e-6);
     return clamp(border / soft + 0.5, 0.0, 1.0);
@@ -77,13 +75,7 @@ fn pattern(surface: Surface) -> f32 {
 fn fs_body(surface: Surface) -> @location(0) vec4f {
     let n = normalize(surface.normal);
     let v = normalize(frame.camera_position - surface.point);
-    let second = mix(surface.color.rgb, vec3f(1.0), 0.55);
-    let color = mix(surface.color.rgb, second, pattern(surface));
-    var light = lit(color, n, v, sunlit(surface.shadow));
-    // The picked body glows.
-    let away = 1.0 - max(dot(n, v), 0.0);
-    light += surface.color.a * (0.06 + 0.9 * away * away) * vec3f(1.0, 0.85, 0.4);
-    return vec4f(to_display(light), 1.0);
+    return vec4f(painted(surface.color, tone(surface), n, v, sunlit(surface.shadow)), 1.0);
 }
 
 // Static bodies: plain, with the grid of the ground on what faces up.

@@ -24,7 +24,14 @@ struct Frame {
     sun_light: vec3f,
     // Upper edge of the viewport, pixels.
     viewport_top: f32,
-    sky_light: vec4f,
+    // Unit vector of the line of sight.
+    camera_forward: vec3f,
+    // Distance of the near plane, m: a point's depth is this by its distance along the line of
+    // sight.
+    near: f32,
+    sky_light: vec3f,
+    // Width of a pixel, m, for each metre of distance.
+    pixel_angle: f32,
     ground_light: vec4f,
     sky_top_display: vec4f,
     sky_low_display: vec4f,

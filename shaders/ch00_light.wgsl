@@ -32,7 +32,7 @@ fn sunlit(place: vec3f) -> f32 {
 
 // Light of sky and ground on a surface with normal n.
 fn ambient(n: vec3f) -> vec3f {
-    return mix(frame.ground_light.rgb, frame.sky_light.rgb, 0.5 + 0.5 * n.y);
+    return mix(frame.ground_light.rgb, frame.sky_light, 0.5 + 0.5 * n.y);
 }
 
 // A surface of this colour with normal n, seen from direction v, that receives this share of
@@ -48,5 +48,13 @@ fn lit(color: vec3f, n: vec3f, v: vec3f, sun_share: f32) -> vec3f {
     let rim = 0.22 * away * away * away * away;
     return color * (sun * facing + ambient(n))
         + sun * (0.10 * h16 * h16 * h4 * facing)
-        + frame.sky_light.rgb * rim;
+        + frame.sky_light * rim;
+}
+
+// A moving body of this colour: two tones, and a glow where it is picked.
+fn painted(color: vec4f, tone: f32, n: vec3f, v: vec3f, sun_share: f32) -> vec3f {
+    let second = mix(color.rgb, vec3f(1.0), 0.55);
+    let away = 1.0 - max(dot(n, v), 0.0);
+    let glow = color.a * (0.06 + 0.9 * away * away) * vec3f(1.0, 0.85, 0.4);
+    return to_display(lit(mix(color.rgb, second, tone), n, v, sun_share) + glow);
 }

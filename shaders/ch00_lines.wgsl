@@ -13,8 +13,9 @@ struct Line {
 struct Stroke {
     @builtin(position) clip: vec4f,
     @location(0) color: vec4f,
-    // -1 … 1 across the line.
+    // Across the line from its middle, pixels.
     @location(1) across: f32,
+    @location(2) @interpolate(flat) half_width: f32,
 }
 
 // Lines are drawn twice: thinly through everything, and fully where nothing hides them.
@@ -32,16 +33,20 @@ fn vs_line(@builtin(vertex_index) index: u32, line: Line) -> Stroke {
     let along = direction / max(length(direction), 1e-6);
     let side = f32(index & 1u) * 2.0 - 1.0;
     let half_width = 0.5 * line.width * frame.line_scale;
-    let offset = vec2f(-along.y, along.x) * side * half_width * 2.0 / frame.viewport;
+    // A pixel more on both sides, over which the line fades out.
+    let reach = half_width + 1.0;
+    let offset = vec2f(-along.y, along.x) * side * reach * 2.0 / frame.viewport;
     let end = select(a, b, index >= 2u);
     var out: Stroke;
     out.clip = vec4f(end.xy + offset * end.w, end.z, end.w);
     out.color = line.color;
-    out.across = side;
+    out.across = side * reach;
+    out.half_width = half_width;
     return out;
 }
 
 @fragment
 fn fs_line(stroke: Stroke) -> @location(0) vec4f {
-    return vec4f(stroke.color.rgb, stroke.color.a * opacity);
+    let cover = clamp(stroke.half_width + 0.5 - abs(stroke.across), 0.0, 1.0);
+    return vec4f(stroke.color.rgb, stroke.color.a * opacity * cover);
 }

@@ -30,7 +30,7 @@ fn fs_wall(wall: Wall) -> @location(0) vec4f {
     let fade = 1.0 - smoothstep(0.15, 0.6, away);
     let lines = grid(wall.across) * frame.grid_color.a;
     let facing = max(dot(wall.normal, frame.sun_direction), 0.0);
-    let light = frame.ground_color.rgb * (frame.sun_light * (0.5 * facing) + frame.sky_light.rgb);
-    let color = mix(light, frame.grid_color.rgb * frame.sky_light.rgb, lines);
+    let light = frame.ground_color.rgb * (frame.sun_light * (0.5 * facing) + frame.sky_light);
+    let color = mix(light, frame.grid_color.rgb * frame.sky_light, lines);
     return vec4f(to_display(color), fade * (0.35 + 0.4 * lines));
 }

@@ -15,7 +15,11 @@ const STEPS: [u32; 4] = [0, 1, 10, 60];
 /// Number with a fixed width; −0 is written as 0.
 fn fixed(value: f64) -> String {
     let text = format!("{value:.6}");
-    let text = if text == "-0.000000" { "0.000000" } else { &text };
+    let text = if text == "-0.000000" {
+        "0.000000"
+    } else {
+        &text
+    };
     format!("{text:>12}")
 }
 
@@ -80,7 +84,12 @@ fn check_scene(entry: EngineEntry, scene: &str, count: Option<u64>, method: &str
 
 #[test]
 fn orrery() {
-    check_scene(ch01_hierarchy::ENGINE, "orrery", None, ch01_hierarchy::ENGINE.methods[0].name);
+    check_scene(
+        ch01_hierarchy::ENGINE,
+        "orrery",
+        None,
+        ch01_hierarchy::ENGINE.methods[0].name,
+    );
 }
 
 #[test]
@@ -121,7 +130,11 @@ fn hash(entry: EngineEntry, scene: &str, count: Option<u64>, steps: u32) -> Stri
     let mut state = State::default();
     engine.read_state(&mut state);
     let count = count.map_or(String::new(), |count| format!(" {count}"));
-    format!("{} {scene}{count} {steps} {:016x}\n", entry.chapter, state.hash())
+    format!(
+        "{} {scene}{count} {steps} {:016x}\n",
+        entry.chapter,
+        state.hash()
+    )
 }
 
 #[test]

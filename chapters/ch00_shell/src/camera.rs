@@ -101,10 +101,24 @@ impl Camera {
     /// World to clip coordinates, depth reversed: 1 near, 0 infinitely far.
     #[must_use]
     pub fn view_projection(&self, viewport: Viewport) -> Mat4 {
-        let near = (0.01 * self.distance).max(1e-3);
-        let projection =
-            rh::proj::directx::perspective_infinite_reverse(FIELD_OF_VIEW, viewport.aspect(), near);
+        let projection = rh::proj::directx::perspective_infinite_reverse(
+            FIELD_OF_VIEW,
+            viewport.aspect(),
+            self.near(),
+        );
         projection * rh::view::look_to_mat4(self.position(), self.forward(), Vec3::Y)
+    }
+
+    /// Distance of the near plane, m.
+    #[must_use]
+    pub fn near(&self) -> f32 {
+        (0.01 * self.distance).max(1e-3)
+    }
+
+    /// Width of a pixel, m, for each metre of distance.
+    #[must_use]
+    pub fn pixel_angle(&self, viewport: Viewport) -> f32 {
+        2.0 * (0.5 * FIELD_OF_VIEW).tan() / viewport.size.y
     }
 
     /// The line of sight through a pixel.
@@ -136,7 +150,7 @@ impl Camera {
 
     /// Moves the target with a drag of so many pixels, so that it stays under the pointer.
     pub fn pan(&mut self, drag: Vec2, viewport: Viewport) {
-        let metres_per_pixel = 2.0 * self.distance * (0.5 * FIELD_OF_VIEW).tan() / viewport.size.y;
+        let metres_per_pixel = self.distance * self.pixel_angle(viewport);
         let (right, up) = self.right_and_up();
         self.target += (drag.y * up - drag.x * right) * metres_per_pixel;
     }

@@ -44,7 +44,7 @@ impl WindowLoop {
     ) -> Self {
         stage.adapter.clone_from(&gpu.name);
         let (surroundings, generation) = stage.surroundings();
-        let quality = Quality::of(gpu.is_software);
+        let quality = Quality::of(gpu.is_software, stage.session().scene());
         Self {
             renderer: Renderer::new(&gpu, surface.format(), quality, surroundings.clone()),
             overlay: Overlay::new(&gpu, &window, surface.format()),
@@ -154,24 +154,23 @@ impl WindowLoop {
             picked: self.stage.picked,
             strokes: &self.strokes,
         };
-        if !crate::render::skip("all") {
-            self.renderer.draw(gpu, &mut encoder, &view, size, &scene);
-        }
-        if crate::render::skip("egui") {
-            layout.drop_it();
-        } else {
-            self.overlay.paint(gpu, &mut encoder, &view, size, layout);
-        }
+        self.renderer.draw(gpu, &mut encoder, &view, size, &scene);
+        self.overlay.paint(gpu, &mut encoder, &view, size, layout);
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Gives the renderer the walls of a new scene.
+    /// Gives the renderer the walls of a new scene, or makes one that suits it better.
     fn follow_scene(&mut self) {
         let (surroundings, generation) = self.stage.surroundings();
         if self.generation != generation {
             self.generation = generation;
-            self.renderer
-                .set_surroundings(&self.gpu, surroundings.clone());
+            let (gpu, around) = (&self.gpu, surroundings.clone());
+            let quality = Quality::of(gpu.is_software, self.stage.session().scene());
+            if quality == self.renderer.quality() {
+                self.renderer.set_surroundings(gpu, around);
+            } else {
+                self.renderer = Renderer::new(gpu, self.surface.format(), quality, around);
+            }
         }
     }
 

@@ -48,7 +48,7 @@ impl Loaded {
     pub fn add(&mut self, scene: &Scene, body: &Body, method: Method) -> usize {
         let index = self.bodies.len();
         let pose = Transform::new(body.position.as_vec3(), body.orientation.as_quat());
-        let node = self.level.graph.add(&format!("body {index}"), None, pose);
+        let node = self.level.graph.add(format!("body {index}"), None, pose);
         let mut object = RigidBody::new(
             node,
             method,

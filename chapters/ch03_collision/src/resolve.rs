@@ -1,5 +1,6 @@
 //! Resolution: what happens to bodies that touch. Report 8.4, as printed and corrected.
 
+mod constraint;
 mod corrected;
 mod printed;
 

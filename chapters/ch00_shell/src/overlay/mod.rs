@@ -60,9 +60,6 @@ pub struct Layout {
 }
 
 impl Layout {
-    pub fn drop_it(mut self) {
-        self.output.textures_delta.clear();
-    }
     /// The panels' colour, as displayed. The scene's pass clears the picture with it, which
     /// costs less than to fill the panels.
     pub fn background(&self) -> wgpu::Color {

@@ -1,17 +1,27 @@
-//! Bodies: one mesh a shape, one buffer of instances, one draw call for each group of bodies
-//! with the same mesh.
+//! Bodies: one buffer of instances, and one draw call for each group of bodies of the same
+//! shape. Boxes, capsules and cylinders are meshes; balls are squares that their shader
+//! makes round.
 
 use super::buffer::GrowingBuffer;
 use super::instances::{Group, Instance, Instances};
 use super::meshes::{self, Mesh, Vertex};
 use super::pipeline::{PipelineMaker, Recipe};
-use super::quality::Quality;
 use super::shaders;
+use super::shadow::ShadowMap;
 
 const VERTEX: [wgpu::VertexAttribute; 3] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32, 2 => Float32x3];
 const INSTANCE: [wgpu::VertexAttribute; 5] = wgpu::vertex_attr_array![
     3 => Float32x3, 4 => Uint32, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4];
+
+/// The group of balls.
+const BALL: usize = 0;
+
+/// Corners of the square that shows a ball.
+const BALL_CORNERS: u32 = 4;
+
+/// Corners of the disc that casts a ball's shadow, as in its shader.
+const BALL_SHADOW_CORNERS: u32 = 20;
 
 /// How meshes and instances lie in their buffers.
 pub fn vertex_layouts() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
@@ -54,88 +64,104 @@ impl MeshBuffers {
     }
 }
 
-/// Meshes, instances and the two pipelines that draw them.
+/// Meshes, instances and the pipelines that draw them.
 pub struct Bodies {
-    meshes: [MeshBuffers; 4],
-    ball_subdivisions: u32,
+    /// Of box, capsule and cylinder.
+    meshes: [MeshBuffers; 3],
     instances: GrowingBuffer,
     groups: Vec<Group>,
     moving: wgpu::RenderPipeline,
     resting: wgpu::RenderPipeline,
+    balls: wgpu::RenderPipeline,
 }
 
 impl Bodies {
     /// Without bodies.
     pub fn new(maker: &PipelineMaker, queue: &wgpu::Queue) -> Self {
         let device = maker.device;
-        let subdivisions = maker.quality.subdivisions(0);
-        let all_meshes = [
-            meshes::sphere(subdivisions),
-            meshes::cube(),
-            meshes::capsule(32, 8),
-            meshes::cylinder(40),
-        ];
-        let pipeline = |fragment| {
-            maker.make(&Recipe {
-                shader: shaders::BODIES,
-                entries: ["vs_body", fragment],
-                buffers: &vertex_layouts(),
-                topology: wgpu::PrimitiveTopology::TriangleList,
-                cull: Some(wgpu::Face::Back),
-                depth_compare: wgpu::CompareFunction::Greater,
-                hides: true,
-                is_translucent: false,
-                constants: &[("shadow_reach", f64::from(maker.quality.shadow_reach))],
-            })
+        let meshes = [meshes::cube(), meshes::capsule(32, 8), meshes::cylinder(40)];
+        let constants = [("shadow_reach", f64::from(maker.quality.shadow_reach))];
+        let mesh_layouts = vertex_layouts();
+        let moving = Recipe {
+            shader: shaders::BODIES,
+            entries: ["vs_body", "fs_body"],
+            buffers: &mesh_layouts,
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            cull: Some(wgpu::Face::Back),
+            depth_compare: wgpu::CompareFunction::Greater,
+            hides: true,
+            is_translucent: false,
+            constants: &constants,
+        };
+        let resting = Recipe {
+            entries: ["vs_body", "fs_static"],
+            ..moving
+        };
+        let balls = Recipe {
+            shader: shaders::BALLS,
+            entries: ["vs_ball", "fs_ball"],
+            topology: wgpu::PrimitiveTopology::TriangleStrip,
+            cull: None,
+            is_translucent: true,
+            buffers: &mesh_layouts[1..],
+            ..moving
         };
         Self {
-            meshes: all_meshes.map(|mesh| MeshBuffers::new(device, queue, &mesh)),
-            ball_subdivisions: subdivisions,
+            meshes: meshes.map(|mesh| MeshBuffers::new(device, queue, &mesh)),
             instances: GrowingBuffer::new(device, "instances", wgpu::BufferUsages::VERTEX),
             groups: Vec::new(),
-            moving: pipeline("fs_body"),
-            resting: pipeline("fs_static"),
+            moving: maker.make(&moving),
+            resting: maker.make(&resting),
+            balls: maker.make(&balls),
         }
     }
 
     /// Takes the bodies of a frame.
-    pub fn write(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        quality: &Quality,
-        instances: &Instances,
-    ) {
-        let subdivisions = quality.subdivisions(instances.all.len());
-        if subdivisions != self.ball_subdivisions {
-            self.ball_subdivisions = subdivisions;
-            self.meshes[0] = MeshBuffers::new(device, queue, &meshes::sphere(subdivisions));
-        }
+    pub fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, instances: &Instances) {
         self.instances.write(device, queue, &instances.all);
         self.groups.clone_from(&instances.groups);
     }
 
-    /// Draws all groups with the pipeline that is set: the shadow's.
-    pub fn draw_depths(&self, pass: &mut wgpu::RenderPass) {
+    /// Draws all groups into the shadow map.
+    pub fn draw_depths(&self, pass: &mut wgpu::RenderPass, shadow: &ShadowMap) {
         for group in &self.groups {
-            self.draw_group(pass, group);
+            if group.shape == BALL {
+                pass.set_pipeline(&shadow.balls);
+                self.draw_balls(pass, group, BALL_SHADOW_CORNERS);
+            } else {
+                pass.set_pipeline(&shadow.bodies);
+                self.draw_meshes(pass, group);
+            }
         }
     }
 
-    /// Draws all groups, each with its pipeline.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass) {
-        for group in &self.groups {
+    /// Draws all groups but the balls.
+    pub fn draw_all_but_balls(&self, pass: &mut wgpu::RenderPass) {
+        for group in self.groups.iter().filter(|group| group.shape != BALL) {
             pass.set_pipeline(if group.is_static {
                 &self.resting
             } else {
                 &self.moving
             });
-            self.draw_group(pass, group);
+            self.draw_meshes(pass, group);
         }
     }
 
-    fn draw_group(&self, pass: &mut wgpu::RenderPass, group: &Group) {
-        let mesh = &self.meshes[group.mesh];
+    /// Draws the balls over what is behind them.
+    pub fn draw_balls_only(&self, pass: &mut wgpu::RenderPass) {
+        for group in self.groups.iter().filter(|group| group.shape == BALL) {
+            pass.set_pipeline(&self.balls);
+            self.draw_balls(pass, group, BALL_CORNERS);
+        }
+    }
+
+    fn draw_balls(&self, pass: &mut wgpu::RenderPass, group: &Group, corners: u32) {
+        pass.set_vertex_buffer(0, self.instances.slice());
+        pass.draw(0..corners, group.range.clone());
+    }
+
+    fn draw_meshes(&self, pass: &mut wgpu::RenderPass, group: &Group) {
+        let mesh = &self.meshes[group.shape - 1];
         pass.set_vertex_buffer(0, mesh.vertices.slice());
         pass.set_vertex_buffer(1, self.instances.slice());
         pass.set_index_buffer(mesh.indices.slice(), wgpu::IndexFormat::Uint32);

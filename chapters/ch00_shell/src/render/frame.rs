@@ -30,7 +30,10 @@ pub struct FrameUniform {
     ground_height: f32,
     sun_light: [f32; 3],
     viewport_top: f32,
-    sky_light: [f32; 4],
+    camera_forward: [f32; 3],
+    near: f32,
+    sky_light: [f32; 3],
+    pixel_angle: f32,
     ground_light: [f32; 4],
     sky_top_display: [f32; 4],
     sky_low_display: [f32; 4],
@@ -66,7 +69,10 @@ impl FrameUniform {
             ground_height: surroundings.ground_height,
             sun_light: colors.sun_light.to_array(),
             viewport_top: viewport.origin.y,
-            sky_light: opaque(colors.sky_light),
+            camera_forward: camera.forward().to_array(),
+            near: camera.near(),
+            sky_light: colors.sky_light.to_array(),
+            pixel_angle: camera.pixel_angle(viewport),
             ground_light: opaque(colors.ground_light),
             sky_top_display: opaque(colors.sky_top_display),
             sky_low_display: opaque(colors.sky_low_display),
@@ -103,7 +109,7 @@ mod tests {
 
     #[test]
     fn the_layout_is_the_shaders() {
-        assert_eq!(size_of::<FrameUniform>(), 304);
+        assert_eq!(size_of::<FrameUniform>(), 320);
     }
 
     #[test]

@@ -6,9 +6,9 @@ use std::ops::Range;
 use ch00_scenes::Shape;
 use glam::Vec3;
 
+use super::Picture;
 use super::surroundings::Surroundings;
 use super::theme::{Colors, body_color};
-use crate::Session;
 
 /// A body in the instance buffer.
 #[repr(C)]
@@ -21,11 +21,11 @@ pub struct Instance {
     color: [f32; 4],
 }
 
-/// Bodies drawn in one go: one mesh, and moving or static.
+/// Bodies drawn in one go: of one shape, and moving or static.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
-    /// Which mesh: 0 sphere, 1 box, 2 capsule, 3 cylinder.
-    pub mesh: usize,
+    /// 0 ball, 1 box, 2 capsule, 3 cylinder.
+    pub shape: usize,
     /// Whether they are static.
     pub is_static: bool,
     /// Their instances.
@@ -43,52 +43,51 @@ pub struct Instances {
 }
 
 impl Instances {
-    /// Fills it with the bodies as they are `alpha` of the way from the last state but one to
-    /// the last; `picked` glows.
-    pub fn fill(
-        &mut self,
-        session: &Session,
-        alpha: f64,
-        picked: Option<usize>,
-        surroundings: &Surroundings,
-        colors: &Colors,
-    ) {
+    /// Fills it with the bodies of a picture. Balls come last, the farthest first, as their
+    /// edges are mixed with what is behind them.
+    pub fn fill(&mut self, picture: &Picture, surroundings: &Surroundings, colors: &Colors) {
         self.sorted.iter_mut().for_each(Vec::clear);
-        for (i, body) in session.scene().bodies.iter().enumerate() {
+        for (i, body) in picture.session.scene().bodies.iter().enumerate() {
             if surroundings.is_wall(i) {
                 continue;
             }
-            let (mesh, size) = mesh_and_size(&body.shape);
-            let (position, orientation) = session.pose(i, alpha);
+            let (shape, size) = shape_and_size(&body.shape);
+            let (position, orientation) = picture.session.pose(i, picture.alpha);
             let color = if body.is_static() {
                 colors.ground
             } else {
                 body_color(i)
             };
-            let glow = if picked == Some(i) { 1.0 } else { 0.0 };
-            let group = mesh + if body.is_static() { 4 } else { 0 };
+            let glow = if picture.picked == Some(i) { 1.0 } else { 0.0 };
+            let group = 2 * shape + usize::from(body.is_static() && shape > 0);
             self.sorted[group].push(Instance {
                 position: position.as_vec3().to_array(),
-                shape: [0, 1, 2, 3][mesh],
+                shape: [0, 1, 2, 3][shape],
                 orientation: orientation.as_quat().to_array(),
                 size,
                 color: color.extend(glow).to_array(),
             });
         }
+        self.sort_balls(picture.camera.position());
         self.join();
+    }
+
+    fn sort_balls(&mut self, eye: Vec3) {
+        let distance = |ball: &Instance| Vec3::from(ball.position).distance_squared(eye);
+        self.sorted[0].sort_unstable_by(|a, b| distance(b).total_cmp(&distance(a)));
     }
 
     fn join(&mut self) {
         self.all.clear();
         self.groups.clear();
-        for (i, instances) in self.sorted.iter().enumerate() {
+        for (i, instances) in self.sorted.iter().enumerate().rev() {
             let start = count(self.all.len());
             self.all.extend_from_slice(instances);
             let range = start..count(self.all.len());
             if !range.is_empty() {
                 self.groups.push(Group {
-                    mesh: i % 4,
-                    is_static: i >= 4,
+                    shape: i / 2,
+                    is_static: i % 2 == 1,
                     range,
                 });
             }
@@ -96,9 +95,9 @@ impl Instances {
     }
 }
 
-/// Which mesh a shape has, and how it is scaled: what multiplies a vertex's position, and
-/// what its `axis` is multiplied by.
-fn mesh_and_size(shape: &Shape) -> (usize, [f32; 4]) {
+/// The shape's number, and how it is scaled: what multiplies a vertex's position, and what
+/// its `axis` is multiplied by.
+fn shape_and_size(shape: &Shape) -> (usize, [f32; 4]) {
     let round = |radius: f64, half_height: f64| {
         let size = glam::DVec2::new(radius, half_height).as_vec2();
         Vec3::splat(size.x).extend(size.y).to_array()

@@ -1,8 +1,7 @@
-//! The four meshes, one a shape, in units of the body's size. A vertex stands at
+//! The meshes of box, capsule and cylinder, in units of the body's size; balls need none. A vertex stands at
 //! `position * size.xyz + (0, axis * size.w, 0)` in the body's coordinates, so that one
 //! capsule serves all radii and heights and its caps stay round.
 
-use std::collections::HashMap;
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 use glam::Vec3;
@@ -42,20 +41,6 @@ impl Mesh {
     fn add_quad(&mut self, [a, b, c, d]: [u32; 4]) {
         self.indices.extend([a, b, d, a, d, c]);
     }
-}
-
-/// A ball: an icosahedron, each triangle divided into four `subdivisions` times.
-#[must_use]
-pub fn sphere(subdivisions: u32) -> Mesh {
-    let mut mesh = Mesh::default();
-    for direction in icosahedron_corners() {
-        mesh.add_vertex(direction, 0.0, direction);
-    }
-    mesh.indices = ICOSAHEDRON.as_flattened().to_vec();
-    for _ in 0..subdivisions {
-        subdivide(&mut mesh);
-    }
-    mesh
 }
 
 /// A box with corners at ±1, each face with its own corners for its own normal.
@@ -138,68 +123,6 @@ fn ring_directions(segments: u16) -> Vec<Vec3> {
         .collect()
 }
 
-/// Divides each triangle into four and moves the new corners onto the unit sphere.
-fn subdivide(mesh: &mut Mesh) {
-    let mut middles: HashMap<(u32, u32), u32> = HashMap::new();
-    let old = std::mem::take(&mut mesh.indices);
-    for triangle in old.chunks_exact(3) {
-        let [a, b, c] = [triangle[0], triangle[1], triangle[2]];
-        let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(i, j)| {
-            *middles.entry((i.min(j), i.max(j))).or_insert_with(|| {
-                let end = |i: u32| Vec3::from(mesh.vertices[i as usize].position);
-                let middle = (end(i) + end(j)).normalize();
-                mesh.add_vertex(middle, 0.0, middle)
-            })
-        });
-        mesh.indices
-            .extend([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca]);
-    }
-}
-
-/// The corners of three golden rectangles that stand across each other.
-fn icosahedron_corners() -> [Vec3; 12] {
-    let golden = f32::midpoint(1.0, 5.0_f32.sqrt());
-    let corner = |x: f32, y: f32, z: f32| Vec3::new(x, y, z).normalize();
-    [
-        corner(-1.0, golden, 0.0),
-        corner(1.0, golden, 0.0),
-        corner(-1.0, -golden, 0.0),
-        corner(1.0, -golden, 0.0),
-        corner(0.0, -1.0, golden),
-        corner(0.0, 1.0, golden),
-        corner(0.0, -1.0, -golden),
-        corner(0.0, 1.0, -golden),
-        corner(golden, 0.0, -1.0),
-        corner(golden, 0.0, 1.0),
-        corner(-golden, 0.0, -1.0),
-        corner(-golden, 0.0, 1.0),
-    ]
-}
-
-/// Which corners of the icosahedron make its faces.
-const ICOSAHEDRON: [[u32; 3]; 20] = [
-    [0, 11, 5],
-    [0, 5, 1],
-    [0, 1, 7],
-    [0, 7, 10],
-    [0, 10, 11],
-    [1, 5, 9],
-    [5, 11, 4],
-    [11, 10, 2],
-    [10, 7, 6],
-    [7, 1, 8],
-    [3, 9, 4],
-    [3, 4, 2],
-    [3, 2, 6],
-    [3, 6, 8],
-    [3, 8, 9],
-    [4, 9, 5],
-    [2, 4, 11],
-    [6, 2, 10],
-    [8, 6, 7],
-    [9, 8, 1],
-];
-
 /// Meshes have thousands of corners, not billions.
 #[expect(clippy::cast_possible_truncation, reason = "a few thousand at most")]
 fn index(i: usize) -> u32 {
@@ -210,8 +133,8 @@ fn index(i: usize) -> u32 {
 mod tests {
     use super::*;
 
-    fn all() -> [Mesh; 4] {
-        [sphere(2), cube(), capsule(24, 6), cylinder(24)]
+    fn all() -> [Mesh; 3] {
+        [cube(), capsule(24, 6), cylinder(24)]
     }
 
     /// Six times the signed volume of the mesh with radius 1 and half height 1.
@@ -227,7 +150,7 @@ mod tests {
     #[test]
     fn triangles_face_outwards_and_enclose_the_solid() {
         use std::f32::consts::PI;
-        let solids = [4.0 / 3.0 * PI, 8.0, 2.0 * PI + 4.0 / 3.0 * PI, 2.0 * PI];
+        let solids = [8.0, 2.0 * PI + 4.0 / 3.0 * PI, 2.0 * PI];
         for (mesh, volume) in all().iter().zip(solids) {
             let ratio = six_volumes(mesh) / 6.0 / volume;
             // A polyhedron inside the solid lacks a few percent at this fineness.
@@ -244,11 +167,5 @@ mod tests {
             let count = index(mesh.vertices.len());
             assert!(mesh.indices.iter().all(|&i| i < count));
         }
-    }
-
-    #[test]
-    fn each_subdivision_has_four_times_the_triangles() {
-        assert_eq!(sphere(0).indices.len(), 3 * 20);
-        assert_eq!(sphere(3).indices.len(), 3 * 20 * 64);
     }
 }

@@ -111,6 +111,12 @@ impl Renderer {
         renderer
     }
 
+    /// How much work its pictures are.
+    #[must_use]
+    pub fn quality(&self) -> Quality {
+        self.quality
+    }
+
     /// Takes over another scene's surroundings.
     pub fn set_surroundings(&mut self, gpu: &Gpu, surroundings: Surroundings) {
         self.scenery.write(&gpu.device, &gpu.queue, &surroundings);
@@ -144,15 +150,8 @@ impl Renderer {
             self.quality.shadow_size,
         );
         self.bindings.write(queue, &uniform);
-        self.instances.fill(
-            picture.session,
-            picture.alpha,
-            picture.picked,
-            &self.surroundings,
-            &colors,
-        );
-        self.bodies
-            .write(device, queue, &self.quality, &self.instances);
+        self.instances.fill(picture, &self.surroundings, &colors);
+        self.bodies.write(device, queue, &self.instances);
         self.strokes.clear();
         let eye = picture.camera.position();
         self.strokes
@@ -164,9 +163,7 @@ impl Renderer {
     fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder) {
         let mut pass = self.shadow.begin(encoder);
         pass.set_bind_group(0, &self.bindings.shadow, &[]);
-        if !skip("shadow") {
-            self.bodies.draw_depths(&mut pass);
-        }
+        self.bodies.draw_depths(&mut pass, &self.shadow);
     }
 
     fn draw_scene(
@@ -184,18 +181,11 @@ impl Renderer {
         let (origin, extent) = (picture.viewport.origin, picture.viewport.size);
         pass.set_viewport(origin.x, origin.y, extent.x, extent.y, 0.0, 1.0);
         pass.set_bind_group(0, &self.bindings.scene, &[]);
-        if !skip("bodies") {
-            self.bodies.draw(&mut pass);
-        }
+        self.bodies.draw_all_but_balls(&mut pass);
         self.scenery.draw(&mut pass);
-        if !skip("lines") {
-            self.lines.draw(&mut pass);
-        }
+        self.bodies.draw_balls_only(&mut pass);
+        self.lines.draw(&mut pass);
         drop(pass);
         self.targets = Some(targets);
     }
-}
-
-pub fn skip(what: &str) -> bool {
-    std::env::var("SKIP").is_ok_and(|v| v.split(',').any(|w| w == what))
 }

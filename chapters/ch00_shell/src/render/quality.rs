@@ -1,17 +1,18 @@
 //! How much work a picture may be. A software device draws the same picture with a coarser
-//! shadow and fewer triangles, so that it still moves.
+//! shadow, and takes one sample a pixel where that shows least, so that it still moves.
+
+use ch00_scenes::{Scene, Shape};
 
 /// What costs time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quality {
-    /// Samples a pixel along edges.
+    /// Samples a pixel: 4, or 1 where only lines and balls have edges to speak of. Those
+    /// smooth their edges themselves.
     pub samples: u32,
     /// Width and height of the shadow map, texels.
     pub shadow_size: u32,
     /// The shadow's edge is the mean of (2 reach + 1)² samples.
     pub shadow_reach: i32,
-    /// How often a ball's icosahedron is divided where few balls are drawn.
-    pub most_subdivisions: u32,
 }
 
 impl Quality {
@@ -20,46 +21,29 @@ impl Quality {
         samples: 4,
         shadow_size: 2048,
         shadow_reach: 1,
-        most_subdivisions: 4,
     };
 
     /// For a processor that imitates one.
-    pub const SOFTWARE: Self = Self {
+    const SOFTWARE: Self = Self {
         samples: 4,
         shadow_size: 1024,
         shadow_reach: 0,
-        most_subdivisions: 3,
     };
 
-    /// What suits the device.
+    /// What suits the device and the scene.
     #[must_use]
-    pub fn of(is_software: bool) -> Self {
-        if is_software {
-            let e = |n: &str, d: u32| {
-                std::env::var(n)
-                    .ok()
-                    .and_then(|v| v.parse().ok())
-                    .unwrap_or(d)
-            };
+    pub fn of(is_software: bool, scene: &Scene) -> Self {
+        let is_ball = |shape: &Shape| matches!(shape, Shape::Sphere { .. });
+        let mut bodies = scene.bodies.iter();
+        if !is_software {
+            Self::CARD
+        } else if bodies.all(|body| body.is_static() || is_ball(&body.shape)) {
             Self {
-                samples: e("SAMPLES", 4),
-                shadow_size: e("SHADOW", 1024),
-                most_subdivisions: e("SUB", 3),
+                samples: 1,
                 ..Self::SOFTWARE
             }
         } else {
-            Self::CARD
+            Self::SOFTWARE
         }
-    }
-
-    /// How often to divide a ball's icosahedron when so many balls are drawn.
-    #[must_use]
-    pub fn subdivisions(&self, balls: usize) -> u32 {
-        let fewer = match balls {
-            0..200 => 0,
-            200..5_000 => 1,
-            _ => 2,
-        };
-        self.most_subdivisions - fewer
     }
 }

@@ -37,7 +37,9 @@ macro_rules! shader {
     };
 }
 
-/// Bodies.
+/// Balls.
+pub const BALLS: Shader = shader!("ch00_balls.wgsl", needs ROTATION, FRAME, LIGHT);
+/// Boxes, capsules and cylinders.
 pub const BODIES: Shader = shader!("ch00_bodies.wgsl", needs ROTATION, FRAME, LIGHT);
 /// Depths as the sun sees them.
 pub const SHADOW: Shader = shader!("ch00_shadow.wgsl", needs ROTATION, FRAME);

@@ -6,13 +6,16 @@ use super::quality::Quality;
 use super::shaders;
 use super::targets::DEPTH_FORMAT;
 
-/// The depth picture, how to compare with it, and the pipeline that draws it.
+/// The depth picture, how to compare with it, and the pipelines that draw it.
 pub struct ShadowMap {
     /// The depth picture.
     pub view: wgpu::TextureView,
     /// Compares a depth with the four texels around a point and mixes the answers.
     pub sampler: wgpu::Sampler,
-    pipeline: wgpu::RenderPipeline,
+    /// Draws meshes.
+    pub bodies: wgpu::RenderPipeline,
+    /// Draws balls.
+    pub balls: wgpu::RenderPipeline,
 }
 
 impl ShadowMap {
@@ -42,13 +45,26 @@ impl ShadowMap {
         Self {
             view: texture.create_view(&wgpu::TextureViewDescriptor::default()),
             sampler,
-            pipeline: pipeline(device, layout),
+            bodies: pipeline(
+                device,
+                layout,
+                "vs_body_shadow",
+                &vertex_layouts(),
+                wgpu::PrimitiveTopology::TriangleList,
+            ),
+            balls: pipeline(
+                device,
+                layout,
+                "vs_ball_shadow",
+                &vertex_layouts()[1..],
+                wgpu::PrimitiveTopology::TriangleStrip,
+            ),
         }
     }
 
-    /// Begins drawing it, with its pipeline set.
+    /// Begins drawing it.
     pub fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("shadow"),
             color_attachments: &[],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
@@ -62,25 +78,29 @@ impl ShadowMap {
             timestamp_writes: None,
             occlusion_query_set: None,
             multiview_mask: None,
-        });
-        pass.set_pipeline(&self.pipeline);
-        pass
+        })
     }
 }
 
-fn pipeline(device: &wgpu::Device, layout: &wgpu::PipelineLayout) -> wgpu::RenderPipeline {
+fn pipeline(
+    device: &wgpu::Device,
+    layout: &wgpu::PipelineLayout,
+    entry: &str,
+    buffers: &[Option<wgpu::VertexBufferLayout>],
+    topology: wgpu::PrimitiveTopology,
+) -> wgpu::RenderPipeline {
     let module = shaders::SHADOW.module(device);
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("shadow"),
+        label: Some(entry),
         layout: Some(layout),
         vertex: wgpu::VertexState {
             module: &module,
-            entry_point: Some("vs_shadow"),
+            entry_point: Some(entry),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &vertex_layouts(),
+            buffers,
         },
         primitive: wgpu::PrimitiveState {
-            cull_mode: Some(wgpu::Face::Back),
+            topology,
             ..Default::default()
         },
         depth_stencil: Some(wgpu::DepthStencilState {

@@ -10,7 +10,8 @@ pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// Colour and depth for pictures of one size.
 pub struct Targets {
     size: [u32; 2],
-    color: wgpu::TextureView,
+    /// None where a pixel has one sample: that is drawn into the picture itself.
+    color: Option<wgpu::TextureView>,
     depth: wgpu::TextureView,
 }
 
@@ -41,7 +42,7 @@ impl Targets {
         };
         Self {
             size,
-            color: view("scene colour", format),
+            color: (quality.samples > 1).then(|| view("scene colour", format)),
             depth: view("scene depth", DEPTH_FORMAT),
         }
     }
@@ -58,27 +59,19 @@ impl Targets {
         picture: &wgpu::TextureView,
         background: wgpu::Color,
     ) -> wgpu::RenderPass<'a> {
+        let (view, resolve_target, store) = match &self.color {
+            Some(color) => (color, Some(picture), wgpu::StoreOp::Discard),
+            None => (picture, None, wgpu::StoreOp::Store),
+        };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("scene"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: if std::env::var("SAMPLES").as_deref() == Ok("1") {
-                    picture
-                } else {
-                    &self.color
-                },
+                view,
                 depth_slice: None,
-                resolve_target: if std::env::var("SAMPLES").as_deref() == Ok("1") {
-                    None
-                } else {
-                    Some(picture)
-                },
+                resolve_target,
                 ops: wgpu::Operations {
                     load: wgpu::LoadOp::Clear(background),
-                    store: if std::env::var("SAMPLES").as_deref() == Ok("1") {
-                        wgpu::StoreOp::Store
-                    } else {
-                        wgpu::StoreOp::Discard
-                    },
+                    store,
                 },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {

@@ -5,43 +5,14 @@
 //! ones bounce as if they had met at the surface, and what then still approaches is stopped
 //! and rubs.
 
-use ch00_maths::f32::impulse::{self, coulomb, mixed_friction, mixed_restitution, surface_speed};
+use ch00_maths::f32::impulse::coulomb;
 use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
 use glam::Vec3;
 
+use super::constraint::Constraint;
 use super::{LONGEST_SHIFT, Rules};
 use crate::Contact;
-
-/// A contact while it is resolved.
-struct Constraint {
-    a: usize,
-    b: usize,
-    /// n̂, from body 2 to body 1.
-    normal: Vec3,
-    /// From the centres to the contact, m.
-    r1: Vec3,
-    r2: Vec3,
-    /// Depth to be pushed out, m; negative for a gap.
-    depth: f32,
-    /// How far this contact has pushed its bodies apart in this step, m.
-    pushed: f32,
-    /// Speed at which the gap between them would just close in a step, m/s.
-    gap_speed: f32,
-    /// Acceleration with which the bodies are pulled together, m/s².
-    closing: f32,
-    /// What a unit impulse changes, along the normal and across it, 1/kg.
-    response: f32,
-    response_across: f32,
-    restitution: f32,
-    friction: f32,
-    static_friction: f32,
-    /// Impulses of the impacts, N s: never taken back.
-    impact: Vec3,
-    /// Impulses of resting contact, N s: taken back where a neighbour made them superfluous.
-    support: f32,
-    rub: Vec3,
-}
 
 // ANCHOR: resolve
 /// Resolves all contacts together. Returns how many impacts were left when the sweeps ended; the
@@ -89,58 +60,10 @@ fn prepare(
     contacts
         .iter()
         .map(|contact| {
-            prepare_one(
-                &bodies[contact.a].borrow(),
-                &bodies[contact.b].borrow(),
-                contact,
-                rules,
-                dt,
-            )
+            let (one, two) = (bodies[contact.a].borrow(), bodies[contact.b].borrow());
+            Constraint::new(&one, &two, contact, rules, dt)
         })
         .collect()
-}
-
-fn prepare_one(
-    one: &RigidBody,
-    two: &RigidBody,
-    contact: &Contact,
-    rules: Rules,
-    dt: f32,
-) -> Constraint {
-    let n = contact.normal;
-    let r1 = contact.point - one.position();
-    let r2 = contact.point - two.position();
-    let response = |u| impulse::response(one.answers(), r1, two.answers(), r2, u);
-    let (across_1, across_2) = n.any_orthonormal_pair();
-    let (material_1, material_2) = (one.material(), two.material());
-    let closing = (two.acceleration() - one.acceleration()).dot(n);
-    let approach = impulse::relative_velocity(one.moving(), r1, two.moving(), r2).dot(n);
-    let speed = surface_speed((-approach).max(0.0), closing, contact.depth.max(0.0));
-    // Who bounces starts from the surface; who rests may stay a little inside.
-    let slop = if speed > rules.restitution_threshold {
-        0.0
-    } else {
-        rules.slop
-    };
-    Constraint {
-        a: contact.a,
-        b: contact.b,
-        normal: n,
-        r1,
-        r2,
-        depth: contact.depth - slop,
-        pushed: 0.0,
-        gap_speed: (-contact.depth).max(0.0) / dt,
-        closing,
-        response: response(n),
-        response_across: response(across_1).max(response(across_2)),
-        restitution: mixed_restitution(material_1.restitution, material_2.restitution),
-        friction: mixed_friction(material_1.friction, material_2.friction),
-        static_friction: mixed_friction(material_1.static_friction, material_2.static_friction),
-        impact: Vec3::ZERO,
-        support: contact.support,
-        rub: contact.rub - contact.rub.dot(n) * n,
-    }
 }
 
 // ANCHOR: push_apart
@@ -235,68 +158,5 @@ fn end(
         contact.impulse = c.impact + c.support * c.normal + c.rub;
         contact.support = c.support;
         contact.rub = c.rub;
-    }
-}
-
-impl Constraint {
-    fn relative_velocity(&self, bodies: &[Shared<RigidBody>]) -> Vec3 {
-        let (one, two) = (bodies[self.a].borrow(), bodies[self.b].borrow());
-        impulse::relative_velocity(one.moving(), self.r1, two.moving(), self.r2)
-    }
-
-    /// The speed of approach at the surface, m/s, if that is an impact.
-    fn impact_speed(&self, v_r: Vec3, rules: Rules) -> Option<f32> {
-        let approach = v_r.dot(self.normal);
-        if approach >= 0.0 || self.gap_speed > 0.0 {
-            return None;
-        }
-        let speed = surface_speed(-approach, self.closing, self.pushed);
-        (speed > rules.restitution_threshold).then_some(speed)
-    }
-
-    /// Shifts the two bodies by what is left of their depth.
-    fn part(&mut self, bodies: &[Shared<RigidBody>], shifts: &mut [Vec3]) {
-        let left = self.depth - self.normal.dot(shifts[self.a] - shifts[self.b]);
-        if left <= 0.0 {
-            return;
-        }
-        let (one, two) = (bodies[self.a].borrow(), bodies[self.b].borrow());
-        let (w1, w2) = (one.answers().inverse_mass, two.answers().inverse_mass);
-        self.pushed += left;
-        let push = self.normal * (left / (w1 + w2));
-        shifts[self.a] += push * w1;
-        shifts[self.b] -= push * w2;
-    }
-
-    /// Mends the support and then the friction of this contact.
-    fn hold(&mut self, bodies: &[Shared<RigidBody>], rules: Rules) {
-        let approach = self.relative_velocity(bodies).dot(self.normal) + self.gap_speed;
-        if self.gap_speed > 0.0 && approach < self.gap_speed - rules.restitution_threshold {
-            // It comes fast enough to bounce: let it come.
-            return;
-        }
-        let support = (self.support - approach / self.response).max(0.0);
-        if support == 0.0 && self.support == 0.0 {
-            return;
-        }
-        self.apply(bodies, (support - self.support) * self.normal);
-        self.support = support;
-        let v_r = self.relative_velocity(bodies);
-        let sliding = v_r - v_r.dot(self.normal) * self.normal;
-        let wanted = self.rub - sliding / self.response_across;
-        let rub = coulomb(wanted, support, self.static_friction, self.friction);
-        self.apply(bodies, rub - self.rub);
-        self.rub = rub;
-    }
-
-    /// Whether one of its bodies can't move.
-    fn is_against_static(&self, bodies: &[Shared<RigidBody>]) -> bool {
-        bodies[self.a].borrow().is_static() || bodies[self.b].borrow().is_static()
-    }
-
-    /// The impulse on body 1, N s, and its opposite on body 2.
-    fn apply(&self, bodies: &[Shared<RigidBody>], impulse: Vec3) {
-        bodies[self.a].borrow_mut().push(self.r1, impulse);
-        bodies[self.b].borrow_mut().push(self.r2, -impulse);
     }
 }

@@ -5,6 +5,7 @@ use std::fmt::Display;
 use std::io;
 
 use plotters::coord::Shift;
+use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -27,7 +28,7 @@ pub struct Ink {
 }
 
 /// How letters look and which of their points is given.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Lettering {
     /// Height of the font, pixels.
     pub size: f64,

@@ -123,8 +123,7 @@ impl Frame {
     }
 
     /// Draws everything but the curves.
-    pub fn draw(&self, canvas: &mut Canvas, chart: &Chart) -> Drawn {
-        debug_assert!(!chart.name.is_empty());
+    pub fn draw(&self, canvas: &mut Canvas) -> Drawn {
         self.draw_bands(canvas)?;
         self.draw_x(canvas)?;
         self.draw_y(canvas)?;
@@ -140,10 +139,38 @@ impl Frame {
     fn draw_bands(&self, canvas: &mut Canvas) -> Drawn {
         let (outer, inner) = (self.outer, self.inner);
         let bands = [
-            (Sides { top: inner.bottom, ..outer }, self.y.below, true),
-            (Sides { bottom: inner.top, ..outer }, self.y.beyond, true),
-            (Sides { right: inner.left, ..outer }, self.x.below, false),
-            (Sides { left: inner.right, ..outer }, self.x.beyond, false),
+            (
+                Sides {
+                    top: inner.bottom,
+                    ..outer
+                },
+                self.y.below,
+                true,
+            ),
+            (
+                Sides {
+                    bottom: inner.top,
+                    ..outer
+                },
+                self.y.beyond,
+                true,
+            ),
+            (
+                Sides {
+                    right: inner.left,
+                    ..outer
+                },
+                self.x.below,
+                false,
+            ),
+            (
+                Sides {
+                    left: inner.right,
+                    ..outer
+                },
+                self.x.beyond,
+                false,
+            ),
         ];
         for (band, label, is_flat) in bands {
             let Some(label) = label else { continue };
@@ -153,7 +180,11 @@ impl Frame {
                 (outer.left - GAP, middle, text::number(HPos::Right))
             } else {
                 let middle = 0.5 * (band.left + band.right);
-                (middle, outer.bottom + 0.5 * LINE, text::number(HPos::Center))
+                (
+                    middle,
+                    outer.bottom + 0.5 * LINE,
+                    text::number(HPos::Center),
+                )
             };
             canvas.text(label, x, y, &lettering)?;
         }

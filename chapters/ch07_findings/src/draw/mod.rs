@@ -14,7 +14,8 @@ mod numbers;
 mod scale;
 mod text;
 
-pub use csv::{csv, quoted};
+pub use csv::csv;
+pub(crate) use numbers::{grouped, superscript};
 
 use crate::chart::Chart;
 use crate::error::FindingsError;
@@ -41,28 +42,34 @@ pub fn svg(chart: &Chart) -> Result<String, FindingsError> {
     let frame = Frame::new(chart, top);
 
     let mut file = String::new();
-    let mut canvas = Canvas::new(&mut file, WIDTH, frame.bottom());
-    let drawn = draw(&mut canvas, chart, &title, &legend, &frame).and_then(|()| canvas.finish());
-    drawn.map_err(|error| FindingsError::Draw {
+    let canvas = Canvas::new(&mut file, WIDTH, frame.bottom());
+    draw(canvas, chart, &title, &legend, &frame).map_err(|error| FindingsError::Draw {
         chart: chart.name.to_owned(),
         why: error.to_string(),
     })?;
-    Ok(canvas::in_pixels(&file, WIDTH, frame.bottom(), &chart.title))
+    Ok(canvas::in_pixels(
+        &file,
+        WIDTH,
+        frame.bottom(),
+        &chart.title,
+    ))
 }
 
 fn draw(
-    canvas: &mut Canvas,
+    mut canvas: Canvas,
     chart: &Chart,
     title: &[String],
     legend: &Legend,
     frame: &Frame,
 ) -> Drawn {
+    let canvas = &mut canvas;
     let mut y = MARGIN + 0.5 * text::TITLE;
     for line in title {
         canvas.text(line, MARGIN, y, &text::title())?;
         y += 1.35 * text::TITLE;
     }
     legend.draw(canvas, MARGIN, y)?;
-    frame.draw(canvas, chart)?;
-    curves::draw(canvas, &chart.series, frame)
+    frame.draw(canvas)?;
+    curves::draw(canvas, &chart.series, frame)?;
+    canvas.finish()
 }

@@ -3,8 +3,15 @@
 /// 10ᵏ, plain where that is short.
 pub fn power_of_ten(exponent: i32, plain: bool) -> String {
     match exponent {
-        0.. if plain => grouped(&format!("1{}", "0".repeat(exponent.unsigned_abs() as usize))),
-        ..0 if plain => format!("{:.*}", exponent.unsigned_abs() as usize, 10f64.powi(exponent)),
+        0.. if plain => grouped(&format!(
+            "1{}",
+            "0".repeat(exponent.unsigned_abs() as usize)
+        )),
+        ..0 if plain => format!(
+            "{:.*}",
+            exponent.unsigned_abs() as usize,
+            10f64.powi(exponent)
+        ),
         _ => format!("10{}", superscript(exponent)),
     }
 }

@@ -50,7 +50,11 @@ impl Scale {
             if !number.is_finite() {
                 beyond = Some("lost");
             } else if division == Division::Log && number <= 0.0 {
-                below = Some(if number < 0.0 { "≤ 0" } else { below.unwrap_or("0") });
+                below = Some(if number < 0.0 {
+                    "≤ 0"
+                } else {
+                    below.unwrap_or("0")
+                });
             } else {
                 let number = measured(division, number);
                 (low, high) = (low.min(number), high.max(number));
@@ -92,7 +96,10 @@ impl Scale {
     fn even_ticks(&self, most: usize) -> Vec<Tick> {
         let step = round_step((self.high - self.low) / most.max(1) as f64);
         let largest = self.low.abs().max(self.high.abs());
-        let (first, last) = ((self.low / step).ceil() as i64, (self.high / step).floor() as i64);
+        let (first, last) = (
+            (self.low / step).ceil() as i64,
+            (self.high / step).floor() as i64,
+        );
         (first..=last)
             .map(|k| {
                 let value = k as f64 * step;
@@ -115,7 +122,11 @@ impl Scale {
             ..3.0 => &[1, 2, 5],
             _ => &[1],
         };
-        let lines = if every == 1 && decades < 8.0 { 1..=9 } else { 1..=1 };
+        let lines = if every == 1 && decades < 8.0 {
+            1..=9
+        } else {
+            1..=1
+        };
         let mut ticks = Vec::new();
         for exponent in first..=last {
             for digit in lines.clone() {
@@ -180,13 +191,19 @@ mod tests {
 
     fn labels(scale: &Scale, most: usize) -> Vec<String> {
         let ticks = scale.ticks(most).into_iter();
-        ticks.map(|tick| tick.label).filter(|label| !label.is_empty()).collect()
+        ticks
+            .map(|tick| tick.label)
+            .filter(|label| !label.is_empty())
+            .collect()
     }
 
     #[test]
     fn an_even_axis_has_round_numbers() {
         let scale = Scale::of(&Axis::linear("x"), [0.0, 0.6].into_iter());
-        assert_eq!(labels(&scale, 8), ["0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6"]);
+        assert_eq!(
+            labels(&scale, 8),
+            ["0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6"]
+        );
     }
 
     #[test]
