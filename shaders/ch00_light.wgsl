@@ -53,7 +53,7 @@ fn lit(color: vec3f, n: vec3f, v: vec3f, sun_share: f32) -> vec3f {
 
 // A moving body of this colour: two tones, and a glow where it is picked.
 fn painted(color: vec4f, tone: f32, n: vec3f, v: vec3f, sun_share: f32) -> vec3f {
-    let second = mix(color.rgb, vec3f(1.0), 0.55);
+    let second = mix(color.rgb, vec3f(1.0), 0.5);
     let away = 1.0 - max(dot(n, v), 0.0);
     let glow = color.a * (0.06 + 0.9 * away * away) * vec3f(1.0, 0.85, 0.4);
     return to_display(lit(mix(color.rgb, second, tone), n, v, sun_share) + glow);

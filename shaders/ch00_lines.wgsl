@@ -38,7 +38,8 @@ fn vs_line(@builtin(vertex_index) index: u32, line: Line) -> Stroke {
     let offset = vec2f(-along.y, along.x) * side * reach * 2.0 / frame.viewport;
     let end = select(a, b, index >= 2u);
     var out: Stroke;
-    out.clip = vec4f(end.xy + offset * end.w, end.z, end.w);
+    // A thousandth nearer, so that a line that lies on a face is before it.
+    out.clip = vec4f(end.xy + offset * end.w, 1.001 * end.z, end.w);
     out.color = line.color;
     out.across = side * reach;
     out.half_width = half_width;

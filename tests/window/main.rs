@@ -1,1 +1,134 @@
-//! Placeholder: this target is being written.
+//! The window, for real: the top binary on a virtual X display and the software device. Keys
+//! are pressed, pictures of the screen are taken, and what should be in them is looked for.
+
+mod desktop;
+mod picture;
+
+use std::time::Duration;
+
+use desktop::{Desktop, HEIGHT, WIDTH};
+use picture::{Area, Picture};
+
+/// Left of this the overlay's panel lies at the start, pixels.
+const PANEL: u32 = 300;
+
+/// Well inside the panel.
+const IN_PANEL: Area = Area::new(4, 4, PANEL - 8, HEIGHT - 8);
+
+/// The scene with the box of balls in its middle.
+const SCENE: Area = Area::new(PANEL + 10, 0, WIDTH - PANEL - 10, HEIGHT);
+
+/// The floor beside the box, in front.
+const FLOOR: Area = Area::new(WIDTH - 250, HEIGHT - 150, 240, 140);
+
+fn pause() {
+    std::thread::sleep(Duration::from_millis(700));
+}
+
+#[test]
+fn balls_floor_and_overlay_are_there_and_the_balls_move() {
+    let mut desktop = Desktop::with_window(&[]);
+    let first = desktop.screenshot();
+    pause();
+    let second = desktop.screenshot();
+
+    assert!(first.brightness() > 20.0, "the screen is black");
+    let colors = first.colors(SCENE);
+    assert!(colors > 500, "only {colors} colours: where is the scene?");
+    let hues = first.hues(SCENE);
+    assert!(
+        hues >= 4,
+        "balls have seven hues, but only {hues} are there"
+    );
+    assert_floor(&first);
+    assert_panel(&first);
+    let moved = first.differences(&second, SCENE);
+    assert!(moved > 1000, "only {moved} pixels changed: nothing moves");
+}
+
+#[test]
+fn keys_pause_step_throw_reset_and_hide_the_panel() {
+    let mut desktop = Desktop::with_window(&[]);
+    desktop.press("space");
+    pause();
+    let paused = desktop.screenshot();
+    pause();
+    let still = desktop.screenshot();
+    let moved = paused.differences(&still, SCENE);
+    assert_eq!(moved, 0, "Space doesn't pause: {moved} pixels changed");
+
+    desktop.press("period");
+    pause();
+    let stepped = desktop.screenshot();
+    let moved = paused.differences(&stepped, SCENE);
+    assert!(moved > 100, "`.` makes no step: {moved} pixels changed");
+
+    desktop.press("f");
+    pause();
+    let thrown = desktop.screenshot();
+    let moved = stepped.differences(&thrown, SCENE);
+    assert!(moved > 100, "F throws no ball: {moved} pixels changed");
+
+    desktop.press("r");
+    pause();
+    let reset = desktop.screenshot();
+    let moved = thrown.differences(&reset, SCENE);
+    assert!(moved > 1000, "R resets nothing: {moved} pixels changed");
+
+    desktop.press("h");
+    pause();
+    let hidden = desktop.screenshot();
+    let share = hidden.share_of_commonest(IN_PANEL);
+    assert!(
+        share < 0.6,
+        "H leaves the panel: {share:.2} of it is one colour"
+    );
+}
+
+#[test]
+fn resizing_and_hiding_are_survived_and_closing_ends_with_status_0() {
+    let mut desktop = Desktop::with_window(&["--count", "10"]);
+    desktop.resize(800, 500);
+    pause();
+    let small = desktop.screenshot();
+    let inside = small.colors(Area::new(PANEL + 10, 0, 780 - PANEL, 490));
+    let outside = small.colors(Area::new(810, 0, WIDTH - 810, HEIGHT));
+    assert!(inside > 200, "only {inside} colours in the smaller window");
+    assert_eq!(
+        outside, 1,
+        "something is drawn outside of the smaller window"
+    );
+
+    desktop.hide();
+    pause();
+    desktop.show();
+    pause();
+    desktop.resize(WIDTH, HEIGHT);
+    pause();
+    let back = desktop.screenshot();
+    assert_floor(&back);
+    assert_panel(&back);
+    assert!(desktop.close().success(), "the program ended with an error");
+}
+
+/// The floor is mostly of few light colours, with the lines of the grid on it.
+fn assert_floor(picture: &Picture) {
+    let colors = picture.colors(FLOOR);
+    assert!(
+        colors > 20,
+        "only {colors} colours: where is the floor's grid?"
+    );
+    let light = picture.brightness_of(FLOOR);
+    assert!(light > 120.0, "the floor's brightness is {light:.0} of 255");
+}
+
+/// The panel is mostly of one colour, with text and widgets on it.
+fn assert_panel(picture: &Picture) {
+    let share = picture.share_of_commonest(IN_PANEL);
+    assert!(
+        share > 0.7,
+        "no panel: its colour fills {share:.2} of its place"
+    );
+    let colors = picture.colors(IN_PANEL);
+    assert!(colors > 30, "an empty panel: {colors} colours in it");
+}

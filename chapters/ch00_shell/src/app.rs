@@ -131,6 +131,10 @@ impl ApplicationHandler<Ready> for App {
             event_loop.exit();
         } else if let Phase::Running(running) = &mut self.phase {
             let outcome = running.on_event(&event);
+            if running.wants_to_quit() {
+                self.phase = Phase::Over;
+                event_loop.exit();
+            }
             self.check(event_loop, outcome);
         }
     }

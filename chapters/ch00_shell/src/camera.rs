@@ -29,6 +29,13 @@ impl Viewport {
         }
     }
 
+    /// Whether a pixel of the window is in it.
+    #[must_use]
+    pub fn contains(self, pixel: Vec2) -> bool {
+        let place = pixel - self.origin;
+        place.cmpge(Vec2::ZERO).all() && place.cmplt(self.size).all()
+    }
+
     fn aspect(self) -> f32 {
         self.size.x / self.size.y
     }

@@ -29,16 +29,21 @@ pub struct Input {
     pointer: Vec2,
     modifiers: ModifiersState,
     drag: Drag,
+    /// Whether the user wants to close the window.
+    pub wants_to_quit: bool,
 }
 
 impl Input {
     /// Takes an event of the window; one that is the overlay's begins nothing here.
     pub fn on_event(&mut self, stage: &mut Stage, event: &WindowEvent, is_for_overlay: bool) {
+        let is_on_scene = !is_for_overlay && stage.viewport().contains(self.pointer);
         match event {
             WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
-            WindowEvent::KeyboardInput { event, .. } if !is_for_overlay => on_key(stage, event),
+            WindowEvent::KeyboardInput { event, .. } if !is_for_overlay => {
+                self.on_key(stage, event);
+            }
             WindowEvent::MouseInput { state, button, .. } => match state {
-                ElementState::Pressed if !is_for_overlay => self.press(stage, *button),
+                ElementState::Pressed if is_on_scene => self.press(stage, *button),
                 ElementState::Pressed => {}
                 ElementState::Released => self.release(stage),
             },
@@ -46,11 +51,27 @@ impl Input {
                 let position: [f32; 2] = (*position).into();
                 self.move_to(stage, Vec2::from(position));
             }
-            WindowEvent::MouseWheel { delta, .. } if !is_for_overlay => {
+            WindowEvent::MouseWheel { delta, .. } if is_on_scene => {
                 stage.camera_to_move().zoom(notches(*delta));
             }
             WindowEvent::Focused(false) => self.release(stage),
             _ => {}
+        }
+    }
+
+    /// What a key does; the overlay's list says the same.
+    fn on_key(&mut self, stage: &mut Stage, event: &KeyEvent) {
+        if event.state == ElementState::Released {
+            return;
+        }
+        let key = event.logical_key.as_ref();
+        if self.modifiers.control_key() {
+            self.wants_to_quit |= matches!(key, Key::Character("q" | "Q"));
+            return;
+        }
+        // Only stepping goes on while a key is held.
+        if !event.repeat || matches!(key, Key::Character("." | "n" | "N")) {
+            act(stage, key);
         }
     }
 
@@ -102,16 +123,8 @@ impl Input {
     }
 }
 
-/// What a key does; the overlay's list says the same.
-fn on_key(stage: &mut Stage, event: &KeyEvent) {
-    if event.state == ElementState::Released {
-        return;
-    }
-    let key = event.logical_key.as_ref();
-    // Only stepping goes on while a key is held.
-    if event.repeat && !matches!(key, Key::Character("." | "n" | "N")) {
-        return;
-    }
+/// What a key without modifiers does.
+fn act(stage: &mut Stage, key: Key<&str>) {
     match key {
         Key::Named(NamedKey::Space) => stage.toggle_pause(),
         Key::Named(NamedKey::F1) | Key::Character("h" | "H") => {

@@ -17,8 +17,8 @@ pub struct Hit {
     pub distance: f32,
 }
 
-/// The nearest body on the line of sight, if it can move. Walls are looked through; other
-/// static bodies hide what is behind them.
+/// The nearest body on the line of sight, if it can move. Walls and ground are looked
+/// through; other static bodies hide what is behind them.
 #[must_use]
 pub fn pick(session: &Session, alpha: f64, around: &Surroundings, sight: Ray) -> Option<Hit> {
     let bodies = &session.scene().bodies;
@@ -33,7 +33,7 @@ pub fn pick(session: &Session, alpha: f64, around: &Surroundings, sight: Ray) ->
         )
     };
     let (body, distance) = (0..bodies.len())
-        .filter(|&i| !around.is_wall(i))
+        .filter(|&i| !around.is_scenery(i))
         .filter_map(|i| Some((i, meet(i)?)))
         .min_by(|a, b| a.1.total_cmp(&b.1))?;
     #[expect(clippy::cast_possible_truncation, reason = "pictures are f32")]

@@ -44,7 +44,7 @@ impl WindowLoop {
     ) -> Self {
         stage.adapter.clone_from(&gpu.name);
         let (surroundings, generation) = stage.surroundings();
-        let quality = Quality::of(gpu.is_software, stage.session().scene());
+        let quality = Quality::of(gpu.is_software, surroundings);
         Self {
             renderer: Renderer::new(&gpu, surface.format(), quality, surroundings.clone()),
             overlay: Overlay::new(&gpu, &window, surface.format()),
@@ -59,6 +59,11 @@ impl WindowLoop {
             start,
             gpu,
         }
+    }
+
+    /// Whether the user wants to close the window.
+    pub fn wants_to_quit(&self) -> bool {
+        self.input.wants_to_quit
     }
 
     /// Whether there is anyone to draw for.
@@ -106,21 +111,6 @@ impl WindowLoop {
         self.window.pre_present_notify();
         self.gpu.queue.present(picture);
         self.note_first_frame();
-        {
-            use std::sync::atomic::{AtomicU32, Ordering};
-            static N: AtomicU32 = AtomicU32::new(0);
-            let n = N.fetch_add(1, Ordering::Relaxed);
-            if n % 10 == 0 {
-                let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
-                let f: Vec<&str> = stat.split(' ').collect();
-                eprintln!(
-                    "FPSDBG frame {n} t={:.3} cpu={}+{}0 ms",
-                    self.start.elapsed().as_secs_f64(),
-                    f[13],
-                    f[14]
-                );
-            }
-        }
         Ok(())
     }
 
@@ -165,7 +155,7 @@ impl WindowLoop {
         if self.generation != generation {
             self.generation = generation;
             let (gpu, around) = (&self.gpu, surroundings.clone());
-            let quality = Quality::of(gpu.is_software, self.stage.session().scene());
+            let quality = Quality::of(gpu.is_software, &around);
             if quality == self.renderer.quality() {
                 self.renderer.set_surroundings(gpu, around);
             } else {

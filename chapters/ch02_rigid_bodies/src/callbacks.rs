@@ -59,7 +59,9 @@ pub fn add_magnets(poles: &[(Shared<RigidBody>, Vec3, f32)], softening: f32) {
         }
     }
 }
+// ANCHOR_END: magnets
 
+// ANCHOR: pole_force
 /// The force on the pole `own` by the pole `other`.
 fn pole_force(own: &Pole, other: &Pole, softening: f32) -> impl Fn(&Feel) -> Vec3 + use<> {
     let (place, other_place) = (own.place, other.place);
@@ -79,4 +81,4 @@ fn pole_force(own: &Pole, other: &Pole, softening: f32) -> impl Fn(&Feel) -> Vec
         between * (strength / ((squared + softening * softening) * squared.sqrt()))
     }
 }
-// ANCHOR_END: magnets
+// ANCHOR_END: pole_force

@@ -116,6 +116,7 @@ impl RigidBody {
         self.drag = drag;
     }
 
+    // ANCHOR: hold
     /// Holds it by a point; its moments become those about the point.
     ///
     /// Says whether the arm allows that: it must lie along one of the body's axes.
@@ -130,6 +131,7 @@ impl RigidBody {
         self.add_torque(Box::new(move |feel| (feel.q * arm).cross(weight)));
         true
     }
+    // ANCHOR_END: hold
 
     /// Adds a force, N.
     pub fn add_force(&mut self, force: Callback) {
@@ -157,6 +159,7 @@ impl RigidBody {
         self.spring = spring;
     }
 
+    // ANCHOR: gather
     /// Asks every callback what it does to the body here.
     fn sum_callbacks(&mut self) {
         if self.is_static() {
@@ -176,6 +179,7 @@ impl RigidBody {
             self.torque += torque;
         }
     }
+    // ANCHOR_END: gather
 
     // ANCHOR: update
     /// Advances it by `dt`, as its method says.

@@ -25,7 +25,8 @@ pub fn check_shapes(scene: &Scene, bodies: &[Shared<RigidBody>]) -> Result<(), L
             let other = other.borrow();
             if !is_known(body.collider(), other.collider()) {
                 let what = format!(
-                    "{} against {} is not modelled yet, only balls against balls and boxes",
+                    "{} against {} is not modelled yet, only balls against balls and boxes; \
+                     chapter 2 (ch02_rigid_bodies) runs it without collisions",
                     name(body.collider()),
                     name(other.collider()),
                 );

@@ -1,7 +1,5 @@
 //! A table in Markdown that also reads well on a terminal, and numbers as it shows them.
 
-use std::fmt::Write as _;
-
 use crate::draw;
 
 /// Cells of text under headings.
@@ -37,31 +35,31 @@ impl Table {
                     .max(2)
             })
             .collect();
-        let mut text = String::new();
-        for (number, row) in lines().enumerate() {
-            text.push('|');
-            for (k, cell) in row.iter().enumerate() {
-                let width = widths[k];
-                let _ = if k < left {
-                    write!(text, " {cell:<width$} |")
-                } else {
-                    write!(text, " {cell:>width$} |")
-                };
+        let line = |cells: Vec<String>| format!("|{}|\n", cells.join("|"));
+        let padded = |row: &Vec<String>| {
+            let cells = row.iter().zip(&widths).enumerate();
+            line(
+                cells
+                    .map(|(k, (cell, &width))| {
+                        if k < left {
+                            format!(" {cell:<width$} ")
+                        } else {
+                            format!(" {cell:>width$} ")
+                        }
+                    })
+                    .collect(),
+            )
+        };
+        let rule = widths.iter().enumerate().map(|(k, &width)| {
+            let dashes = "-".repeat(width + 1);
+            if k < left {
+                format!(":{dashes}")
+            } else {
+                format!("{dashes}:")
             }
-            text.push('\n');
-            if number == 0 {
-                text.push('|');
-                for (k, width) in widths.iter().enumerate() {
-                    let dashes = "-".repeat(width + 1);
-                    text.push_str(&if k < left {
-                        format!(":{dashes}|")
-                    } else {
-                        format!("{dashes}:|")
-                    });
-                }
-                text.push('\n');
-            }
-        }
+        });
+        let mut text = padded(&self.headings) + &line(rule.collect());
+        text.extend(self.rows.iter().map(padded));
         text
     }
 }

@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use ch00_scenes::{Scene, Settings, builtin};
 use ch00_shell::Session;
 use ch00_shell::headless::{Options, simulate};
+use ch00_shell::summary::Timing;
 use ch03_collision::ENGINE;
 
 use crate::FindingsError;
@@ -43,14 +44,8 @@ pub struct Reported {
 pub struct Row {
     /// Number of balls.
     pub count: u64,
-    /// Largest ten-step mean of all timed runs, 1/s.
-    pub max_fps: f64,
-    /// Smallest ten-step mean of all timed runs, 1/s.
-    pub min_fps: f64,
-    /// The timed runs' medians, ms a step, in increasing order.
-    pub medians_ms: Vec<f64>,
-    /// 99 of 100 steps took no longer, ms: the largest of the timed runs.
-    pub p99_ms: f64,
+    /// Times of the runs with the first seed.
+    pub timings: Vec<Timing>,
     /// Balls outside the box after the last step: the worst seed.
     pub escaped: usize,
     /// Deepest overlap after the last step, m: the worst seed.
@@ -99,7 +94,6 @@ pub fn measured(count: u64, steps: u32) -> Result<Row, FindingsError> {
     for seed in &SEEDS[1..] {
         row.add_run(*seed, steps, true, false)?;
     }
-    row.medians_ms.sort_by(f64::total_cmp);
     Ok(row)
 }
 
@@ -107,10 +101,7 @@ impl Row {
     fn empty(count: u64) -> Self {
         Self {
             count,
-            max_fps: 0.0,
-            min_fps: f64::INFINITY,
-            medians_ms: Vec::new(),
-            p99_ms: 0.0,
+            timings: Vec::new(),
             escaped: 0,
             deepest_m: 0.0,
             p99_m: 0.0,
@@ -119,11 +110,35 @@ impl Row {
         }
     }
 
-    /// The median of the runs' medians, ms.
+    /// Half of the steps took no longer, ms: the median of the runs.
     #[must_use]
     pub fn median_ms(&self) -> f64 {
-        let middle = self.medians_ms.len() / 2;
-        self.medians_ms.get(middle).copied().unwrap_or(f64::NAN)
+        middle(&self.of_runs(|timing| timing.median_ms))
+    }
+
+    /// 99 of 100 steps took no longer, ms: the median of the runs.
+    #[must_use]
+    pub fn p99_ms(&self) -> f64 {
+        middle(&self.of_runs(|timing| timing.p99_ms))
+    }
+
+    /// Largest ten-step mean, 1/s: the median of the runs.
+    #[must_use]
+    pub fn max_fps(&self) -> f64 {
+        middle(&self.of_runs(|timing| timing.max_fps))
+    }
+
+    /// Smallest ten-step mean, 1/s: the median of the runs.
+    #[must_use]
+    pub fn min_fps(&self) -> f64 {
+        middle(&self.of_runs(|timing| timing.min_fps))
+    }
+
+    /// A time of each run, in increasing order.
+    fn of_runs(&self, time: fn(&Timing) -> Option<f64>) -> Vec<f64> {
+        let mut times: Vec<f64> = self.timings.iter().filter_map(time).collect();
+        times.sort_by(f64::total_cmp);
+        times
     }
 
     /// Makes a run; its physics counts once a seed, its times where they are wanted.
@@ -144,11 +159,7 @@ impl Row {
         };
         let summary = simulate(&mut session, &quiet)?;
         if is_timed {
-            let timing = summary.timing;
-            self.max_fps = self.max_fps.max(timing.max_fps.unwrap_or(0.0));
-            self.min_fps = self.min_fps.min(timing.min_fps.unwrap_or(f64::INFINITY));
-            self.p99_ms = self.p99_ms.max(timing.p99_ms.unwrap_or(0.0));
-            self.medians_ms.extend(timing.median_ms);
+            self.timings.push(summary.timing);
         }
         if is_new {
             let depth = |value: Option<f64>| value.unwrap_or(f64::INFINITY);
@@ -163,6 +174,11 @@ impl Row {
         }
         Ok(())
     }
+}
+
+/// The one in the middle of sorted times.
+fn middle(times: &[f64]) -> f64 {
+    times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 /// The report's Table 1.
@@ -224,9 +240,9 @@ fn chart(rows: &[Row], reported: &[Reported]) -> Chart {
             series(
                 "corrected, slowest (steps alone)",
                 Style::Corrected,
-                ours(|r| r.min_fps),
+                ours(Row::min_fps),
             ),
-            series("corrected, fastest", Style::Other(3), ours(|r| r.max_fps)),
+            series("corrected, fastest", Style::Other(3), ours(Row::max_fps)),
             series("60 frames a second", Style::Theory, counts),
         ],
     }
@@ -242,18 +258,19 @@ fn csv(rows: &[Row], reported: &[Reported]) -> String {
         let (max, min) = theirs.map_or((String::new(), String::new()), |theirs| {
             (theirs.max_fps.to_string(), theirs.min_fps.to_string())
         });
+        let medians = row.of_runs(|timing| timing.median_ms);
         // Writing into a String can't fail.
         let _ = writeln!(
             text,
             "{},{max},{min},{:?},{:?},{:?},{:?},{:?},{:?},{},{},{:?},{:?},{:?},{}",
             row.count,
-            row.max_fps,
-            row.min_fps,
+            row.max_fps(),
+            row.min_fps(),
             row.median_ms(),
-            row.medians_ms.first().copied().unwrap_or(f64::NAN),
-            row.medians_ms.last().copied().unwrap_or(f64::NAN),
-            row.p99_ms,
-            row.medians_ms.len(),
+            medians.first().copied().unwrap_or(f64::NAN),
+            medians.last().copied().unwrap_or(f64::NAN),
+            row.p99_ms(),
+            medians.len(),
             row.escaped,
             row.deepest_m,
             row.p99_m,
@@ -270,8 +287,8 @@ fn page(rows: &[Row], reported: &[Reported]) -> String {
         "balls",
         "report, FPS max / min",
         "FPS max / min",
-        "ms a step (runs)",
-        "99 % of steps (ms)",
+        "ms a step, median (runs)",
+        "ms, 99 % of steps",
         "escaped",
         "overlap, deepest / 99 % (mm)",
         "energy gained",
@@ -285,15 +302,15 @@ fn page(rows: &[Row], reported: &[Reported]) -> String {
             }),
             format!(
                 "{} / {}",
-                three_digits(row.max_fps),
-                three_digits(row.min_fps)
+                three_digits(row.max_fps()),
+                three_digits(row.min_fps())
             ),
             format!(
                 "{}{}",
                 three_digits(row.median_ms()),
-                spread(&row.medians_ms)
+                spread(&row.of_runs(|timing| timing.median_ms))
             ),
-            three_digits(row.p99_ms),
+            three_digits(row.p99_ms()),
             row.escaped.to_string(),
             format!(
                 "{} / {}",
@@ -304,17 +321,16 @@ fn page(rows: &[Row], reported: &[Reported]) -> String {
         ]);
     }
     let build = if cfg!(debug_assertions) {
-        " Built without optimisation: the times mean nothing."
+        " Built without `--release`: slower than it is."
     } else {
         ""
     };
     format!(
         "Method `corrected` on one core of {cpu}; {STEPS} steps of 1/60 s, the first not timed, steps \
-         alone, without drawing.{build} FPS: the largest and the smallest mean of ten steps in {RUNS} \
-         runs. ms a step: the median of the runs' medians, in parentheses the least and the largest; \
-         99 % of steps: in the slowest run. Above {LONG_TEXT} balls one run is timed. Escaped, overlap after the last \
-         step and the most energy above the start's during the run: the worst of the seeds 1, 2, 3. \
-         The report's numbers include drawing.\n\n{table}",
+         alone, without drawing.{build} Each time is the median of {RUNS} runs (above {LONG_TEXT} balls \
+         there is one); the range of the runs is in parentheses. FPS: the largest and the smallest mean of \
+         ten steps. Escaped and overlap after the last step, and the most energy above the start's \
+         during the run: the worst of the seeds 1, 2, 3. The report's numbers include drawing.\n\n{table}",
         cpu = processor(),
         LONG_TEXT = three_digits_of(LONG),
         table = table.markdown(0),
@@ -364,11 +380,14 @@ mod tests {
     #[test]
     fn a_short_run_of_ten_balls_fills_a_row() {
         let row = measured(10, 30).expect("ten balls load");
-        assert_eq!(row.medians_ms.len(), RUNS);
-        assert!(row.max_fps >= row.min_fps && row.min_fps > 0.0, "{row:?}");
-        assert!(row.p99_ms >= row.median_ms(), "{row:?}");
+        assert_eq!(row.timings.len(), RUNS);
+        assert!(
+            row.max_fps() >= row.min_fps() && row.min_fps() > 0.0,
+            "{row:?}"
+        );
+        assert!(row.p99_ms() >= row.median_ms(), "{row:?}");
         assert_eq!((row.escaped, row.overflow), (0, 0));
         let page = page(&[row], &reported().expect("it is there"));
-        assert!(page.contains("| 59.17 / 56.17 |"), "{page}");
+        assert!(page.contains(" 59.17 / 56.17 |"), "{page}");
     }
 }

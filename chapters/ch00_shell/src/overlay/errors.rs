@@ -49,7 +49,8 @@ impl Section for Errors {
         let energy = curve(|sample| sample.energy_error);
         let momentum = curve(|sample| sample.momentum_error);
         Plot::new("errors")
-            .height(110.0)
+            .height(104.0)
+            .y_axis_min_width(38.0)
             .legend(Legend::default().position(Corner::LeftTop))
             .allow_drag(false)
             .allow_scroll(false)

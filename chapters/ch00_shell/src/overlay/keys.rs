@@ -8,7 +8,7 @@ use crate::stage::Stage;
 pub struct Keys;
 
 /// What to press, and what it does.
-const KEYS: [(&str, &str); 11] = [
+const KEYS: [(&str, &str); 12] = [
     ("Space", "pause or go on"),
     (". or N", "one step"),
     ("R", "reset"),
@@ -17,6 +17,7 @@ const KEYS: [(&str, &str); 11] = [
     ("L", "light or dark"),
     ("C", "camera back to the start"),
     ("H or F1", "this panel"),
+    ("Ctrl-Q", "close the window"),
     ("drag a body", "pull it by a spring"),
     ("drag elsewhere", "turn the camera"),
     ("wheel; Shift-drag", "closer or farther; move"),

@@ -174,6 +174,9 @@ impl Overlay {
             .frame(style::panel(ui))
             .show_collapsible(ui, &mut is_shown, |ui| self.show_sections(ui, stage));
         stage.shows_overlay = is_shown;
+        if !is_shown {
+            hint(ui);
+        }
         if stage.shows_overlay && self.properties.is_table_shown() {
             self.properties.show_table(ui, stage);
         }
@@ -192,6 +195,14 @@ impl Overlay {
                 fold(ui, &mut self.properties, stage);
             });
     }
+}
+
+/// How to get a hidden panel back.
+fn hint(ui: &egui::Ui) {
+    egui::Area::new(egui::Id::unique("hint"))
+        .anchor(egui::Align2::LEFT_BOTTOM, [10.0, -8.0])
+        .interactable(false)
+        .show(ui.ctx(), |ui| ui.weak("H: panel"));
 }
 
 /// A section under its headline.

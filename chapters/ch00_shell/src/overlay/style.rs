@@ -21,15 +21,19 @@ pub fn apply(context: &egui::Context, theme: Theme) {
         ]
         .into();
         style.spacing.item_spacing = egui::vec2(6.0, 4.0);
+        style.spacing.interact_size.y = 16.0;
         style.spacing.combo_width = 150.0;
         style.animation_time = 0.1;
     });
     context.style_mut_of(egui::Theme::Dark, |style| {
         style.visuals.panel_fill = Color32::from_rgb(24, 29, 38);
         style.visuals.override_text_color = Some(Color32::from_gray(215));
+        style.visuals.weak_text_color = Some(Color32::from_gray(150));
     });
     context.style_mut_of(egui::Theme::Light, |style| {
         style.visuals.panel_fill = Color32::from_rgb(247, 248, 249);
+        style.visuals.override_text_color = Some(Color32::from_gray(45));
+        style.visuals.weak_text_color = Some(Color32::from_gray(95));
     });
 }
 

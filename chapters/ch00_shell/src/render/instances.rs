@@ -48,7 +48,7 @@ impl Instances {
     pub fn fill(&mut self, picture: &Picture, surroundings: &Surroundings, colors: &Colors) {
         self.sorted.iter_mut().for_each(Vec::clear);
         for (i, body) in picture.session.scene().bodies.iter().enumerate() {
-            if surroundings.is_wall(i) {
+            if surroundings.is_scenery(i) {
                 continue;
             }
             let (shape, size) = shape_and_size(&body.shape);

@@ -113,32 +113,33 @@ pub fn stroke_between(from: Vec3, to: Vec3) -> Stroke {
     }
 }
 
-/// The edges of those walls' inner faces that `eye` sees from the inside.
+/// Edges of the walls' inner faces: all four where `eye` looks at the inside, otherwise the
+/// lower one, so that the outline on the floor is whole and nothing crosses the scene.
 pub fn wall_edges(
     surroundings: &Surroundings,
     eye: Vec3,
     colors: &Colors,
 ) -> impl Iterator<Item = Stroke> {
     let color = colors.edge_display;
-    let is_seen = move |face: &&Face| face.normal.dot(eye - face.centre) > 0.0;
     let edges_of = move |face: &Face| {
         let corner = |x: f32, y: f32| (face.centre + x * face.across + y * face.up).to_array();
+        let down = -face.up.y.signum();
         let corners = [
-            corner(-1.0, -1.0),
-            corner(1.0, -1.0),
-            corner(1.0, 1.0),
-            corner(-1.0, 1.0),
+            corner(-1.0, down),
+            corner(1.0, down),
+            corner(1.0, -down),
+            corner(-1.0, -down),
         ];
-        [(0, 1), (1, 2), (2, 3), (3, 0)].map(|(i, j)| Stroke {
-            from: corners[i],
-            width: 1.2,
-            to: corners[j],
-            color,
-        })
+        let is_seen = face.normal.dot(eye - face.centre) > 0.0;
+        [(0, 1), (1, 2), (2, 3), (3, 0)]
+            .into_iter()
+            .take(if is_seen { 4 } else { 1 })
+            .map(move |(i, j)| Stroke {
+                from: corners[i],
+                width: 1.2,
+                to: corners[j],
+                color,
+            })
     };
-    surroundings
-        .wall_faces
-        .iter()
-        .filter(is_seen)
-        .flat_map(edges_of)
+    surroundings.wall_faces.iter().flat_map(edges_of)
 }

@@ -1,7 +1,7 @@
 //! How much work a picture may be. A software device draws the same picture with a coarser
 //! shadow, and takes one sample a pixel where that shows least, so that it still moves.
 
-use ch00_scenes::{Scene, Shape};
+use super::surroundings::Surroundings;
 
 /// What costs time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,18 +32,14 @@ impl Quality {
 
     /// What suits the device and the scene.
     #[must_use]
-    pub fn of(is_software: bool, scene: &Scene) -> Self {
-        let is_ball = |shape: &Shape| matches!(shape, Shape::Sphere { .. });
-        let mut bodies = scene.bodies.iter();
-        if !is_software {
-            Self::CARD
-        } else if bodies.all(|body| body.is_static() || is_ball(&body.shape)) {
-            Self {
+    pub fn of(is_software: bool, surroundings: &Surroundings) -> Self {
+        match (is_software, surroundings.has_edges) {
+            (false, _) => Self::CARD,
+            (true, true) => Self::SOFTWARE,
+            (true, false) => Self {
                 samples: 1,
                 ..Self::SOFTWARE
-            }
-        } else {
-            Self::SOFTWARE
+            },
         }
     }
 }

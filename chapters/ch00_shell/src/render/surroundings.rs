@@ -21,14 +21,16 @@ pub struct Face {
 /// What stands around the moving bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surroundings {
-    /// For each body of the scene as loaded: whether it is drawn as a wall.
-    is_wall: Vec<bool>,
+    /// For each body of the scene as loaded: whether it is drawn as a wall or as the ground.
+    is_scenery: Vec<bool>,
     /// The inner faces of the walls.
     pub wall_faces: Vec<Face>,
     /// Whether anything static but walls is there.
     pub has_floor: bool,
     /// Height at which the ground is drawn, m.
     pub ground_height: f32,
+    /// Whether anything with edges is drawn as a body: all but balls.
+    pub has_edges: bool,
     /// Lower corner of the box to see at the start, m.
     pub low: Vec3,
     /// Upper corner of the box to see at the start, m.
@@ -39,41 +41,47 @@ impl Surroundings {
     /// Looks at the scene as it starts.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let (resting, moving): (Vec<&Body>, Vec<&Body>) =
-            scene.bodies.iter().partition(|body| body.is_static());
+        let bodies = &scene.bodies;
+        let moving: Vec<&Body> = bodies.iter().filter(|body| !body.is_static()).collect();
         let moving_box = box_about(&moving);
-        let faces: Vec<Option<Face>> = scene
-            .bodies
+        let faces: Vec<Option<Face>> = bodies
             .iter()
             .map(|body| wall_face(body, &moving, moving_box))
             .collect();
-        let floors: Vec<&Body> = scene
-            .bodies
+        let is_floor = |(body, face): &(&Body, &Option<Face>)| body.is_static() && face.is_none();
+        let floors: Vec<&Body> = bodies
             .iter()
             .zip(&faces)
-            .filter(|(body, face)| body.is_static() && face.is_none())
+            .filter(is_floor)
             .map(|(body, _)| body)
             .collect();
-        let (low, high) = worth_seeing(&moving, &floors, moving_box);
-        let ground_height = if floors.is_empty() {
-            low.y - 0.25 * (high.y - low.y)
-        } else {
-            box_about(&resting).0.as_vec3().y
+        let wall_faces = trimmed(&faces.iter().flatten().copied().collect::<Vec<_>>());
+        let enclosed = enclosed_floor(&floors, &wall_faces);
+        let is_scenery: Vec<bool> = bodies
+            .iter()
+            .zip(&faces)
+            .map(|(body, face)| face.is_some() || enclosed.is_some_and(|f| std::ptr::eq(f, body)))
+            .collect();
+        let has_edge = |(body, is_scenery): (&Body, &bool)| {
+            !is_scenery && !matches!(body.shape, Shape::Sphere { .. })
         };
+        let (low, high) = worth_seeing(scene, moving_box, &floors, &wall_faces);
         Self {
-            is_wall: faces.iter().map(Option::is_some).collect(),
-            wall_faces: faces.into_iter().flatten().collect(),
+            has_edges: bodies.iter().zip(&is_scenery).any(has_edge),
+            is_scenery,
+            wall_faces,
             has_floor: !floors.is_empty(),
-            ground_height,
+            ground_height: ground_height(&floors, enclosed)
+                .unwrap_or(low.y - 0.25 * (high.y - low.y)),
             low,
             high,
         }
     }
 
-    /// Whether body `i` is drawn as a wall. Bodies thrown in later never are.
+    /// Whether body `i` is drawn as a wall or as the ground. Bodies thrown in never are.
     #[must_use]
-    pub fn is_wall(&self, i: usize) -> bool {
-        self.is_wall.get(i).copied().unwrap_or(false)
+    pub fn is_scenery(&self, i: usize) -> bool {
+        self.is_scenery.get(i).copied().unwrap_or(false)
     }
 
     /// The middle of the box to see at the start, m.
@@ -87,6 +95,52 @@ impl Surroundings {
     pub fn radius(&self) -> f32 {
         (0.5 * (self.high - self.low).length()).max(0.05)
     }
+}
+
+/// The faces without what lies behind other walls, where these stand at right angles.
+fn trimmed(faces: &[Face]) -> Vec<Face> {
+    let trim = |face: &Face| {
+        let width = face.across.length();
+        let along = face.across / width;
+        let (mut from, mut to) = (-width, width);
+        for other in faces {
+            let slope = other.normal.dot(along);
+            if slope.abs() > 0.999 {
+                let at = (other.centre - face.centre).dot(along);
+                if slope > 0.0 {
+                    from = from.max(at);
+                } else {
+                    to = to.min(at);
+                }
+            }
+        }
+        Face {
+            centre: face.centre + f32::midpoint(from, to) * along,
+            across: 0.5 * (to - from).max(0.0) * along,
+            ..*face
+        }
+    };
+    faces.iter().map(trim).collect()
+}
+
+/// The floor between walls: nothing can fall off it, so that it needs no edge and the ground
+/// can be drawn in its place.
+fn enclosed_floor<'a>(floors: &[&'a Body], walls: &[Face]) -> Option<&'a Body> {
+    let is_level = |floor: &Body| {
+        let up = floor.orientation * DVec3::Y;
+        matches!(floor.shape, Shape::Box { .. }) && up.y > 0.9999
+    };
+    match floors {
+        [floor] if walls.len() >= 4 => Some(*floor).filter(|floor| is_level(floor)),
+        _ => None,
+    }
+}
+
+/// The top of the floor between walls, or the lowest point of all floors, m.
+fn ground_height(floors: &[&Body], enclosed: Option<&Body>) -> Option<f32> {
+    let (low, _) = box_about(floors);
+    let height = enclosed.map_or(low, |floor| box_about(&[floor]).1);
+    height.is_finite().then_some(height.as_vec3().y)
 }
 
 /// The inner face of a body that is a wall: a static box with an upright face which has all
@@ -137,22 +191,40 @@ fn edges(axes: &DMat3, half_extents: DVec3, axis: usize) -> (DVec3, DVec3) {
     }
 }
 
-/// The box about the moving bodies and those floors that are not much larger; of a larger
-/// floor only its height, so that the bodies can be seen to land.
-fn worth_seeing(moving: &[&Body], floors: &[&Body], moving_box: (DVec3, DVec3)) -> (Vec3, Vec3) {
-    let (mut low, mut high) = if moving.is_empty() {
-        box_about(floors)
-    } else {
+/// The box about the moving bodies, where they circle, what walls enclose, and those floors
+/// that are not much larger; of a larger floor only its height, so that the bodies can be
+/// seen to land.
+fn worth_seeing(
+    scene: &Scene,
+    moving_box: (DVec3, DVec3),
+    floors: &[&Body],
+    walls: &[Face],
+) -> (Vec3, Vec3) {
+    let (mut low, mut high) = if moving_box.0.is_finite() {
         moving_box
+    } else {
+        box_about(floors)
     };
+    for i in 0..scene.orbits.len() {
+        let reach = orbit_reach(scene, i);
+        low = low.min(-reach);
+        high = high.max(reach);
+    }
     let size = (high - low).length();
+    for wall in walls {
+        // Walls may be very high; only where they stand is of interest.
+        let foot = DVec3::new(f64::from(wall.centre.x), low.y, f64::from(wall.centre.z));
+        low = low.min(foot);
+        high = high.max(foot);
+    }
     for floor in floors {
         let (floor_low, floor_high) = box_about(&[floor]);
-        if (floor_high - floor_low).length() < 4.0 * size {
+        let is_small = (floor_high - floor_low).length() < 4.0 * size;
+        if is_small && walls.is_empty() {
             low = low.min(DVec3::new(floor_low.x, floor_high.y, floor_low.z));
             high = high.max(floor_high);
-        } else {
-            low.y = low.y.min(floor_high.y.max(low.y - size));
+        } else if floor_high.y > low.y - 100.0 * size {
+            low.y = low.y.min(floor_high.y);
         }
     }
     if low.is_finite() && high.is_finite() {
@@ -160,6 +232,25 @@ fn worth_seeing(moving: &[&Body], floors: &[&Body], moving_box: (DVec3, DVec3)) 
     } else {
         (Vec3::NEG_ONE, Vec3::ONE)
     }
+}
+
+/// How far from the world's origin an orbit may carry its body along each axis, m: its own
+/// radius and those of the orbits that it is nested in.
+fn orbit_reach(scene: &Scene, i: usize) -> DVec3 {
+    let mut reach = DVec3::ZERO;
+    let mut next = Some(i);
+    // An orbit is nested in at most all others.
+    for _ in 0..scene.orbits.len() {
+        let Some(orbit) = next.map(|i| scene.orbits[i]) else {
+            break;
+        };
+        reach += orbit.radius * DVec3::new(1.0, orbit.tilt.sin().abs(), 1.0);
+        next = scene
+            .orbits
+            .iter()
+            .position(|outer| Some(outer.body) == orbit.parent);
+    }
+    reach
 }
 
 /// Lower and upper corner of the box about these bodies; infinite about none.
@@ -211,11 +302,26 @@ mod tests {
     #[test]
     fn upright_boxes_around_the_balls_are_walls_and_the_floor_is_not() {
         let found = Surroundings::of(&open_box_with_balls());
-        let walls: Vec<bool> = (0..6).map(|i| found.is_wall(i)).collect();
+        let walls: Vec<bool> = (0..6).map(|i| found.is_scenery(i)).collect();
         assert_eq!(walls, [false, true, true, false, false, false]);
         assert!(found.has_floor);
         assert_eq!(found.wall_faces[0].normal, Vec3::NEG_X);
         assert!((found.ground_height + 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_floor_between_four_walls_is_drawn_as_the_ground() {
+        let mut scene = open_box_with_balls();
+        for z in [-2.0, 2.0] {
+            let half_extents = DVec3::new(2.0, 5.0, 0.5);
+            let wall = Shape::Box { half_extents };
+            scene
+                .bodies
+                .push(Body::new(wall, 0.0, DVec3::new(0.0, 5.0, z)));
+        }
+        let found = Surroundings::of(&scene);
+        assert!(found.is_scenery(0) && !found.has_edges);
+        assert!(found.ground_height.abs() < 1e-6);
     }
 
     #[test]
@@ -225,7 +331,7 @@ mod tests {
         scene.bodies[1].shape = Shape::Box {
             half_extents: DVec3::new(0.1, 5.0, 2.0),
         };
-        assert!(!Surroundings::of(&scene).is_wall(1));
+        assert!(!Surroundings::of(&scene).is_scenery(1));
     }
 
     #[test]

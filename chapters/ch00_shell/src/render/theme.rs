@@ -6,9 +6,9 @@ use glam::Vec3;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
     /// A bright room.
+    #[default]
     Light,
     /// Dusk.
-    #[default]
     Dark,
 }
 

@@ -14,6 +14,9 @@ pub struct Constraint {
     pub(super) b: usize,
     /// n̂, from body 2 to body 1.
     pub(super) normal: Vec3,
+    /// Inverse masses, 1/kg.
+    pub(super) w1: f32,
+    pub(super) w2: f32,
     /// From the centres to the contact, m.
     pub(super) r1: Vec3,
     pub(super) r2: Vec3,
@@ -60,6 +63,8 @@ impl Constraint {
             a: contact.a,
             b: contact.b,
             normal: n,
+            w1: one.answers().inverse_mass,
+            w2: two.answers().inverse_mass,
             r1,
             r2,
             depth: contact.depth - slop,
@@ -96,18 +101,18 @@ impl Constraint {
     // ANCHOR_END: impact_speed
 
     // ANCHOR: part
-    /// Shifts the two bodies by what is left of their depth.
-    pub fn part(&mut self, bodies: &[Shared<RigidBody>], shifts: &mut [Vec3]) {
+    /// Shifts the two bodies by what is left of their depth, the lighter one further. Says whether
+    /// there was anything left.
+    pub fn part(&mut self, shifts: &mut [Vec3]) -> bool {
         let left = self.depth - self.normal.dot(shifts[self.a] - shifts[self.b]);
         if left <= 0.0 {
-            return;
+            return false;
         }
-        let (one, two) = (bodies[self.a].borrow(), bodies[self.b].borrow());
-        let (w1, w2) = (one.answers().inverse_mass, two.answers().inverse_mass);
         self.pushed += left;
-        let push = self.normal * (left / (w1 + w2));
-        shifts[self.a] += push * w1;
-        shifts[self.b] -= push * w2;
+        let push = self.normal * (left / (self.w1 + self.w2));
+        shifts[self.a] += push * self.w1;
+        shifts[self.b] -= push * self.w2;
+        true
     }
     // ANCHOR_END: part
 
@@ -135,8 +140,8 @@ impl Constraint {
     // ANCHOR_END: hold
 
     /// Whether one of its bodies can't move.
-    pub fn is_against_static(&self, bodies: &[Shared<RigidBody>]) -> bool {
-        bodies[self.a].borrow().is_static() || bodies[self.b].borrow().is_static()
+    pub fn is_against_static(&self) -> bool {
+        self.w1 == 0.0 || self.w2 == 0.0
     }
 
     /// The impulse on body 1, N s, and its opposite on body 2.

@@ -25,7 +25,7 @@ pub fn resolve_corrected(
 ) -> usize {
     begin(bodies, contacts);
     let mut constraints = prepare(bodies, contacts, rules, dt);
-    let shifts = push_apart(bodies, &mut constraints, rules);
+    let shifts = push_apart(bodies.len(), &mut constraints, rules);
     let left = bounce(bodies, &mut constraints, rules);
     rest(bodies, &mut constraints, rules);
     end(bodies, contacts, &constraints, &shifts);
@@ -69,25 +69,22 @@ fn prepare(
 // ANCHOR: push_apart
 /// Finds shifts, m, that part the bodies: each contact moves its two by what is left of its
 /// depth, the lighter more, until all have had their turns. Velocities stay.
-fn push_apart(
-    bodies: &[Shared<RigidBody>],
-    constraints: &mut [Constraint],
-    rules: Rules,
-) -> Vec<Vec3> {
-    let mut shifts = vec![Vec3::ZERO; bodies.len()];
+fn push_apart(count: usize, constraints: &mut [Constraint], rules: Rules) -> Vec<Vec3> {
+    let mut shifts = vec![Vec3::ZERO; count];
     for _ in 0..rules.sweeps {
+        let mut moved = false;
         for c in &mut *constraints {
-            c.part(bodies, &mut shifts);
+            moved |= c.part(&mut shifts);
+        }
+        if !moved {
+            break;
         }
     }
     for shift in &mut shifts {
         *shift = shift.clamp_length_max(LONGEST_SHIFT);
     }
-    for c in constraints
-        .iter_mut()
-        .filter(|c| c.is_against_static(bodies))
-    {
-        c.part(bodies, &mut shifts);
+    for c in constraints.iter_mut().filter(|c| c.is_against_static()) {
+        c.part(&mut shifts);
     }
     shifts
 }
@@ -135,10 +132,7 @@ fn rest(bodies: &[Shared<RigidBody>], constraints: &mut [Constraint], rules: Rul
             c.hold(bodies, rules);
         }
     }
-    for c in constraints
-        .iter_mut()
-        .filter(|c| c.is_against_static(bodies))
-    {
+    for c in constraints.iter_mut().filter(|c| c.is_against_static()) {
         c.hold(bodies, rules);
     }
 }
