@@ -56,7 +56,10 @@ pub fn attitude_after(q: Quat, inertia: Vec3, angular_momentum: Vec3, dt: Real) 
 
 // ANCHOR: momentum_of_turn
 /// The angular momentum in the world, kg m²/s, with which [`attitude_after`] leads from `q_last` to
-/// `q` in `dt`; `None` if the turn is too near half a revolution to tell (erratum 10).
+/// `q` in `dt`; `None` if none is found.
+///
+/// A momentum is always found up to about ¾ rad a step. Beyond that slender bodies may fail, since
+/// different momenta can lead to the same turn there, and from half a revolution on all do (erratum 10).
 ///
 /// Solves missing(π) = 0, where missing(π) is the rotation vector from the turn that π makes to the
 /// turn that was made. A turn depends on π nearly as ω Δt = I⁻¹ π Δt does, which is the first guess
