@@ -16,7 +16,7 @@ pub const HEIGHT: u32 = 720;
 
 /// How long the program may take to show its first frame. Tests run beside other tests, so
 /// this is no measurement, only the end of patience.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// A screen and the program on it; both end with it.
 pub struct Desktop {
@@ -53,8 +53,7 @@ impl Desktop {
         await_first_frame(output);
         let title = "From Objects to Shaders";
         desktop.window = desktop.xdotool(&["search", "--onlyvisible", "--name", title]);
-        // There is no window manager here to give it the keyboard.
-        desktop.xdotool(&["windowfocus", "--sync", &desktop.window]);
+        desktop.focus();
         desktop
     }
 
@@ -86,6 +85,12 @@ impl Desktop {
     /// Puts the window back onto the screen.
     pub fn show(&self) {
         self.xdotool(&["windowmap", "--sync", &self.window]);
+        self.focus();
+    }
+
+    /// Gives the window the keyboard: there is no window manager here to do it.
+    fn focus(&self) {
+        self.xdotool(&["windowfocus", "--sync", &self.window]);
     }
 
     /// Closes the window with its key and gives the program's exit status.

@@ -8,6 +8,9 @@ use crate::render::Surroundings;
 /// Vertical angle of view, rad.
 const FIELD_OF_VIEW: f32 = 0.65;
 
+/// What is worth seeing is framed with this factor more distance than it needs.
+const MARGIN: f32 = 1.08;
+
 /// The part of a window that the scene is drawn in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
@@ -34,6 +37,12 @@ impl Viewport {
     pub fn contains(self, pixel: Vec2) -> bool {
         let place = pixel - self.origin;
         place.cmpge(Vec2::ZERO).all() && place.cmplt(self.size).all()
+    }
+
+    /// Width of a pixel, m, for each metre of distance.
+    #[must_use]
+    pub fn pixel_angle(self) -> f32 {
+        2.0 * (0.5 * FIELD_OF_VIEW).tan() / self.size.y
     }
 
     fn aspect(self) -> f32 {
@@ -74,21 +83,36 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// Stands where everything worth seeing is in the picture.
+    /// Stands as near as lets everything worth seeing be in the picture.
     #[must_use]
     pub fn framing(surroundings: &Surroundings, viewport: Viewport) -> Self {
-        let scene_radius = surroundings.radius();
-        // The narrower of the two angles of view must hold the sphere.
-        let half_vertical = 0.5 * FIELD_OF_VIEW;
-        let half_horizontal = (half_vertical.tan() * viewport.aspect()).atan();
-        let half_angle = half_vertical.min(half_horizontal);
-        Self {
+        let mut camera = Self {
             target: surroundings.centre(),
-            distance: scene_radius / half_angle.sin(),
+            distance: surroundings.radius(),
             yaw: 0.6,
             pitch: 0.38,
-            scene_radius,
+            scene_radius: surroundings.radius(),
+        };
+        camera.distance = MARGIN * camera.fitting_distance(surroundings, viewport);
+        camera
+    }
+
+    /// The least distance from which all corners of the box to see are between the planes
+    /// through the eye and the picture's edges: |x| ≤ (d + z) tan(angle / 2), likewise y.
+    fn fitting_distance(&self, surroundings: &Surroundings, viewport: Viewport) -> f32 {
+        let forward = self.forward();
+        let (right, up) = self.right_and_up();
+        let tangent_y = (0.5 * FIELD_OF_VIEW).tan();
+        let tangent_x = tangent_y * viewport.aspect();
+        let half = 0.5 * (surroundings.high - surroundings.low);
+        let mut distance = 0.1 * self.scene_radius;
+        for corner in 0..8_u8 {
+            let sign = |bit: u8| if corner & bit == 0 { -1.0 } else { 1.0 };
+            let point = half * Vec3::new(sign(1), sign(2), sign(4));
+            let across = (point.dot(right).abs() / tangent_x).max(point.dot(up).abs() / tangent_y);
+            distance = distance.max(across - point.dot(forward));
         }
+        distance
     }
 
     /// Where the viewer is, m.
@@ -122,12 +146,6 @@ impl Camera {
         (0.01 * self.distance).max(1e-3)
     }
 
-    /// Width of a pixel, m, for each metre of distance.
-    #[must_use]
-    pub fn pixel_angle(&self, viewport: Viewport) -> f32 {
-        2.0 * (0.5 * FIELD_OF_VIEW).tan() / viewport.size.y
-    }
-
     /// The line of sight through a pixel.
     #[must_use]
     pub fn ray(&self, viewport: Viewport, pixel: Vec2) -> Ray {
@@ -157,7 +175,7 @@ impl Camera {
 
     /// Moves the target with a drag of so many pixels, so that it stays under the pointer.
     pub fn pan(&mut self, drag: Vec2, viewport: Viewport) {
-        let metres_per_pixel = self.distance * self.pixel_angle(viewport);
+        let metres_per_pixel = self.distance * viewport.pixel_angle();
         let (right, up) = self.right_and_up();
         self.target += (drag.y * up - drag.x * right) * metres_per_pixel;
     }
@@ -214,14 +232,16 @@ mod tests {
     }
 
     #[test]
-    fn what_is_worth_seeing_is_in_the_picture() {
+    fn what_is_worth_seeing_fills_the_picture() {
         let camera = camera();
-        let radius = camera.scene_radius;
-        for direction in [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z] {
-            let pixel = pixel_of(&camera, camera.target + radius * direction);
-            let place = pixel - VIEWPORT.origin;
-            assert!(place.cmpge(Vec2::ZERO).all(), "{pixel}");
-            assert!(place.cmple(VIEWPORT.size).all(), "{pixel}");
+        let mut least_room = f32::INFINITY;
+        for corner in 0..8_u8 {
+            let sign = |bit: u8| if corner & bit == 0 { -1.0 } else { 1.0 };
+            let place = pixel_of(&camera, Vec3::new(sign(1), sign(2), sign(4))) - VIEWPORT.origin;
+            let room = place.min(VIEWPORT.size - place).min_element();
+            assert!(room >= 0.0, "{place}");
+            least_room = least_room.min(room);
         }
+        assert!(least_room < 0.1 * VIEWPORT.size.y, "{least_room}");
     }
 }

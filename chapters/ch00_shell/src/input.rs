@@ -71,14 +71,14 @@ impl Input {
         }
         // Only stepping goes on while a key is held.
         if !event.repeat || matches!(key, Key::Character("." | "n" | "N")) {
-            act(stage, key);
+            act(stage, &key);
         }
     }
 
     fn press(&mut self, stage: &mut Stage, button: MouseButton) {
         self.drag = match button {
             MouseButton::Left if self.modifiers.shift_key() => Drag::Pan,
-            MouseButton::Left if stage.grab(stage.sight(self.pointer)) => self.pulling(stage),
+            MouseButton::Left if stage.grab(stage.sight(self.pointer)) => pulling(stage),
             MouseButton::Left => {
                 stage.picked = None;
                 Drag::Orbit
@@ -86,17 +86,6 @@ impl Input {
             MouseButton::Middle | MouseButton::Right => Drag::Pan,
             _ => self.drag,
         };
-    }
-
-    /// A drag of the body that was just grabbed.
-    fn pulling(&self, stage: &Stage) -> Drag {
-        let camera = &stage.camera;
-        stage.pulled().map_or(Drag::None, |pull| {
-            let to_body = pull.target.as_vec3() - camera.position();
-            Drag::Pull {
-                depth: to_body.dot(camera.forward()),
-            }
-        })
     }
 
     fn release(&mut self, stage: &mut Stage) {
@@ -123,8 +112,19 @@ impl Input {
     }
 }
 
+/// A drag of the body that was just grabbed.
+fn pulling(stage: &Stage) -> Drag {
+    let camera = &stage.camera;
+    stage.pulled().map_or(Drag::None, |pull| {
+        let to_body = pull.target.as_vec3() - camera.position();
+        Drag::Pull {
+            depth: to_body.dot(camera.forward()),
+        }
+    })
+}
+
 /// What a key without modifiers does.
-fn act(stage: &mut Stage, key: Key<&str>) {
+fn act(stage: &mut Stage, key: &Key<&str>) {
     match key {
         Key::Named(NamedKey::Space) => stage.toggle_pause(),
         Key::Named(NamedKey::F1) | Key::Character("h" | "H") => {

@@ -11,6 +11,7 @@ pub mod clock;
 mod error;
 pub mod frame_rate;
 mod gpu;
+mod guides;
 pub mod headless;
 pub mod history;
 mod input;
@@ -25,6 +26,7 @@ pub mod summary;
 mod surface;
 #[cfg(test)]
 mod test_engine;
+mod throw;
 mod window_loop;
 mod worst;
 

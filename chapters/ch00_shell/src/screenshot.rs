@@ -61,8 +61,10 @@ fn draw(gpu: &Gpu, session: &Session) -> Result<Vec<u8>, ShellError> {
         picked: None,
         strokes: &[],
     };
-    let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    let view = texture.create_view(&Default::default());
+    let mut encoder = gpu
+        .device
+        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     renderer.draw(gpu, &mut encoder, &view, SIZE, &picture);
     read_back(gpu, encoder, &texture)
 }

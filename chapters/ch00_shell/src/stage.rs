@@ -4,7 +4,7 @@
 
 use std::time::Duration;
 
-use ch00_scenes::{Body, EngineEntry, Layer, Pull, Scene, Settings, Shape};
+use ch00_scenes::{EngineEntry, Layer, Pull, Scene, Settings};
 use glam::{DVec3, Vec2};
 
 use crate::camera::{Camera, Ray, Viewport};
@@ -12,6 +12,7 @@ use crate::clock::{Clock, Pace};
 use crate::frame_rate::FrameRate;
 use crate::picking::{Hit, pick};
 use crate::render::{Surroundings, Theme};
+use crate::throw::thrown_ball;
 use crate::{Chapter, Session, ShellError};
 
 /// A session in a window.
@@ -254,43 +255,11 @@ impl Stage {
 
     /// Throws a ball along the line of sight, from before the scene into its middle.
     pub fn throw_ball(&mut self) {
-        let size = f64::from(self.surroundings.radius());
         let sight = self.sight(self.viewport.origin + 0.5 * self.viewport.size);
-        let radius = self.size_of_thrown();
-        let direction = sight.direction.as_dvec3();
-        let reach = (self.surroundings.centre() - sight.origin).length();
-        let start = sight.at(reach - 1.2 * self.surroundings.radius());
-        let mut ball = Body::new(
-            Shape::Sphere { radius },
-            self.mass_of_thrown(radius),
-            start.as_dvec3(),
-        );
-        ball.linear_velocity = direction * (4.0 * size).min(12.0);
-        ball.angular_velocity = DVec3::new(3.0, 5.0, f64::from(self.thrown % 7) - 3.0);
-        ball.restitution = 0.8;
+        let ball = thrown_ball(self.session.scene(), &self.surroundings, sight, self.thrown);
         self.thrown += 1;
         let outcome = self.session.add_body(ball);
         self.report(outcome.map(drop).map_err(ShellError::from));
-    }
-
-    /// The radius of the largest moving body, at most a tenth of the scene, m.
-    fn size_of_thrown(&self) -> f64 {
-        let most = 0.1 * f64::from(self.surroundings.radius());
-        let bodies = self.session.scene().bodies.iter();
-        bodies
-            .filter(|body| !body.is_static())
-            .map(|body| body.shape.bounding_radius())
-            .fold(0.5 * most, f64::max)
-            .min(most)
-    }
-
-    /// The mass of a ball as dense as the first moving body, kg.
-    fn mass_of_thrown(&self, radius: f64) -> f64 {
-        let mut bodies = self.session.scene().bodies.iter();
-        let density = bodies
-            .find(|body| !body.is_static())
-            .map_or(1000.0, |body| body.mass / body.shape.volume());
-        density * Shape::Sphere { radius }.volume()
     }
 
     /// Picks the body under a line of sight and takes hold of it; whether there is one.

@@ -84,9 +84,8 @@ impl WindowSurface {
             return None;
         }
         match self.surface.get_current_texture() {
-            Current::Success(picture) => Some(picture),
-            // Still drawable; the window's resize event will bring the right size.
-            Current::Suboptimal(picture) => Some(picture),
+            // A picture of the wrong size will do until the window's resize event is there.
+            Current::Success(picture) | Current::Suboptimal(picture) => Some(picture),
             Current::Outdated | Current::Lost => {
                 self.surface.configure(&gpu.device, &self.config);
                 None

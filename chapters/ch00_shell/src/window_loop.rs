@@ -9,9 +9,10 @@ use winit::window::Window;
 
 use crate::ShellError;
 use crate::gpu::Gpu;
+use crate::guides;
 use crate::input::Input;
 use crate::overlay::{Layout, Overlay};
-use crate::render::lines::{Stroke, stroke_between, stroke_of};
+use crate::render::lines::Stroke;
 use crate::render::{Picture, Quality, Renderer};
 use crate::stage::Stage;
 use crate::surface::WindowSurface;
@@ -128,10 +129,14 @@ impl WindowLoop {
     /// Draws the scene and paints the overlay over it.
     fn draw(&mut self, picture: &wgpu::SurfaceTexture, layout: Layout) {
         self.follow_scene();
-        collect_strokes(&self.stage, &mut self.strokes);
+        guides::collect(&self.stage, &mut self.strokes);
         let gpu = &self.gpu;
-        let view = picture.texture.create_view(&Default::default());
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let view = picture
+            .texture
+            .create_view(&wgpu::TextureViewDescriptor::default());
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let size = self.surface.size();
         let scene = Picture {
             session: self.stage.session(),
@@ -175,19 +180,5 @@ impl WindowLoop {
             );
             self.stage.start_up = Some(start_up);
         }
-    }
-}
-
-/// The lines of the layers that are shown, and the mouse's spring.
-fn collect_strokes(stage: &Stage, strokes: &mut Vec<Stroke>) {
-    strokes.clear();
-    let engine = stage.session().engine();
-    for &layer in &stage.layers {
-        strokes.extend(engine.layer(layer).iter().map(stroke_of));
-    }
-    if let Some(pull) = stage.pulled() {
-        let (position, orientation) = stage.session().pose(pull.body, stage.alpha());
-        let held = position + orientation * pull.anchor;
-        strokes.push(stroke_between(held.as_vec3(), pull.target.as_vec3()));
     }
 }

@@ -8,6 +8,7 @@ pub mod draw;
 pub mod errata;
 mod error;
 pub mod product;
+pub mod sweeps;
 mod table;
 pub mod table1;
 

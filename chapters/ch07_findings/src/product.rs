@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::chart::Chart;
 use crate::errata::ERRATA;
-use crate::{FindingsError, bounce, draw, table1};
+use crate::{FindingsError, bounce, draw, sweeps, table1};
 
 /// Where a measurement tells how far it is.
 pub type Say<'a> = &'a mut dyn FnMut(&str);
@@ -17,7 +17,8 @@ pub struct Product {
     pub chart: Chart,
     /// The numbers.
     pub csv: String,
-    /// The numbers as the book shows them, in Markdown; none where the picture says it all.
+    /// The numbers as the book includes them, in Markdown, but not a page of its own: hence the ending
+    /// `txt`. None where the picture says it all.
     pub page: Option<String>,
 }
 
@@ -50,6 +51,11 @@ pub fn known() -> Vec<Known> {
             name: "bounce".to_owned(),
             about: "error of a bouncing ball against the step",
             make: Make::Measure(bounce::product),
+        },
+        Known {
+            name: "sweeps".to_owned(),
+            about: "overlap of a settled pile against the number of sweeps",
+            make: Make::Measure(sweeps::product),
         },
     ];
     let errata = ERRATA.iter().map(|erratum| Known {
@@ -93,7 +99,7 @@ impl Product {
         let files = [
             ("svg", Some(&svg)),
             ("csv", Some(&self.csv)),
-            ("md", self.page.as_ref()),
+            ("txt", self.page.as_ref()),
         ];
         let mut written = Vec::new();
         for (ending, text) in files {

@@ -42,7 +42,11 @@ pub struct Sample {
 /// # Errors
 /// [`FindingsError`] where the scene can't be loaded.
 pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let (count, seeds) = if quick { (200, &SEEDS[..1]) } else { (1000, &SEEDS[..]) };
+    let (count, seeds) = if quick {
+        (200, &SEEDS[..1])
+    } else {
+        (1000, &SEEDS[..])
+    };
     let mut samples = Vec::new();
     for sweeps in SWEEPS {
         for &seed in seeds {
@@ -146,7 +150,11 @@ fn page(samples: &[Sample]) -> String {
             three_digits(of(|s| s.kinetic_energy)),
             three_digits(of(|s| s.escaped as f64)),
             three_digits(of(|s| s.median_ms)),
-            if sweeps == DEFAULT_SWEEPS { "default".to_owned() } else { String::new() },
+            if sweeps == DEFAULT_SWEEPS {
+                "default".to_owned()
+            } else {
+                String::new()
+            },
         ]);
     }
     table.markdown(0)

@@ -330,7 +330,8 @@ fn page(rows: &[Row], reported: &[Reported]) -> String {
          alone, without drawing.{build} Each time is the median of {RUNS} runs (above {LONG_TEXT} balls \
          there is one); the range of the runs is in parentheses. FPS: the largest and the smallest mean of \
          ten steps. Escaped and overlap after the last step, and the most energy above the start's \
-         during the run: the worst of the seeds 1, 2, 3. The report's numbers include drawing.\n\n{table}",
+         during the run (at 10,000 balls after every second step): the worst of the seeds 1, 2, 3. \
+         The report's numbers include drawing.\n\n{table}",
         cpu = processor(),
         LONG_TEXT = three_digits_of(LONG),
         table = table.markdown(0),

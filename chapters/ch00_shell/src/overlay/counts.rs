@@ -22,15 +22,16 @@ impl Section for Counts {
         rows(ui, "counters", |ui| {
             let found = format!("{} / {}", counters.pairs, counters.contacts);
             row(ui, "pairs / contacts", found);
-            warn(ui, "overflow", counters.overflow, counters.overflow > 0).on_hover_text(
+            let overflow = counters.overflow.to_string();
+            warn(ui, "overflow", &overflow, counters.overflow > 0).on_hover_text(
                 "what a capacity or an iteration limit left undone since the scene was loaded",
             );
             let lost = stage.session().state_now().not_finite();
             if lost > 0 {
-                warn(ui, "not finite", lost, true);
+                warn(ui, "not finite", &lost.to_string(), true);
             }
             let dropped = stage.clock().dropped();
-            warn(ui, "dropped time", format!("{dropped:.2} s"), dropped > 0.5).on_hover_text(
+            warn(ui, "dropped time", &format!("{dropped:.2} s"), dropped > 0.5).on_hover_text(
                 "time that passed without being simulated, because steps took longer than they last",
             );
         });
@@ -38,12 +39,12 @@ impl Section for Counts {
 }
 
 /// A row in the colour of a warning where one is due.
-fn warn(ui: &mut egui::Ui, name: &str, value: impl ToString, is_due: bool) -> egui::Response {
+fn warn(ui: &mut egui::Ui, name: &str, value: &str, is_due: bool) -> egui::Response {
     if !is_due {
-        return row(ui, name, value.to_string());
+        return row(ui, name, value);
     }
     ui.weak(name);
-    let response = ui.colored_label(WARNING, value.to_string());
+    let response = ui.colored_label(WARNING, value);
     ui.end_row();
     response
 }

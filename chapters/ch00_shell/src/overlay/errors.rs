@@ -26,7 +26,7 @@ impl Section for Errors {
     fn show(&mut self, ui: &mut egui::Ui, stage: &mut Stage) {
         let samples = stage.session().history().samples();
         let last = samples.back();
-        let percent = |error: f64| format!("{:+.3e}", error);
+        let relative = |error: f64| format!("{error:+.3e}");
         rows(ui, "energies", |ui| {
             let energies = or_dash(last, |sample| {
                 let (kinetic, potential) = (sample.kinetic_energy, sample.potential_energy);
@@ -34,9 +34,9 @@ impl Section for Errors {
             });
             row(ui, "kinetic / potential", energies);
             let error = last.and_then(|sample| sample.energy_error);
-            row(ui, "energy error", or_dash(error, percent));
+            row(ui, "energy error", or_dash(error, relative));
             let error = last.and_then(|sample| sample.momentum_error);
-            row(ui, "momentum error", or_dash(error, percent));
+            row(ui, "momentum error", or_dash(error, relative));
         });
         let stride = samples.len().div_ceil(MOST_POINTS).max(1);
         let curve = |error: fn(&Sample) -> Option<f64>| -> PlotPoints<'static> {
@@ -48,22 +48,30 @@ impl Section for Errors {
         };
         let energy = curve(|sample| sample.energy_error);
         let momentum = curve(|sample| sample.momentum_error);
-        Plot::new("errors")
-            .height(104.0)
-            .y_axis_min_width(38.0)
-            .legend(Legend::default().position(Corner::LeftTop))
-            .allow_drag(false)
-            .allow_scroll(false)
-            .allow_zoom(false)
-            .allow_boxed_zoom(false)
-            .include_y(0.0)
-            .x_axis_formatter(|mark, _| format!("{} s", mark.value))
-            .y_axis_formatter(|mark, _| format!("{:.1e}", mark.value))
-            .show(ui, |plot| {
-                plot.line(Line::new("energy", energy).color(ENERGY));
-                plot.line(Line::new("momentum", momentum).color(MOMENTUM));
-            });
+        if energy.points().is_empty() && momentum.points().is_empty() {
+            ui.weak("This scene keeps neither, so there is no error.");
+        } else {
+            plot(ui, energy, momentum);
+        }
     }
+}
+
+fn plot(ui: &mut egui::Ui, energy: PlotPoints<'static>, momentum: PlotPoints<'static>) {
+    Plot::new("errors")
+        .height(104.0)
+        .y_axis_min_width(38.0)
+        .legend(Legend::default().position(Corner::LeftTop))
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_zoom(false)
+        .allow_boxed_zoom(false)
+        .include_y(0.0)
+        .x_axis_formatter(|mark, _| format!("{} s", mark.value))
+        .y_axis_formatter(|mark, _| format!("{:.1e}", mark.value))
+        .show(ui, |plot| {
+            plot.line(Line::new("energy", energy).color(ENERGY));
+            plot.line(Line::new("momentum", momentum).color(MOMENTUM));
+        });
 }
 
 const ENERGY: egui::Color32 = egui::Color32::from_rgb(0xE6, 0x9F, 0x00);

@@ -72,7 +72,7 @@ impl FrameUniform {
             camera_forward: camera.forward().to_array(),
             near: camera.near(),
             sky_light: colors.sky_light.to_array(),
-            pixel_angle: camera.pixel_angle(viewport),
+            pixel_angle: viewport.pixel_angle(),
             ground_light: opaque(colors.ground_light),
             sky_top_display: opaque(colors.sky_top_display),
             sky_low_display: opaque(colors.sky_low_display),

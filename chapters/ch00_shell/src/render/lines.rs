@@ -102,14 +102,14 @@ pub fn stroke_of(line: &Line) -> Stroke {
     }
 }
 
-/// The mouse's spring.
+/// A line of a width in points of the screen.
 #[must_use]
-pub fn stroke_between(from: Vec3, to: Vec3) -> Stroke {
+pub fn stroke_between(from: Vec3, to: Vec3, width: f32, color: [u8; 4]) -> Stroke {
     Stroke {
         from: from.to_array(),
-        width: 3.0,
+        width,
         to: to.to_array(),
-        color: [255, 210, 90, 255],
+        color,
     }
 }
 

@@ -43,7 +43,7 @@ impl Surroundings {
     pub fn of(scene: &Scene) -> Self {
         let bodies = &scene.bodies;
         let moving: Vec<&Body> = bodies.iter().filter(|body| !body.is_static()).collect();
-        let moving_box = box_about(&moving);
+        let moving_box = paths_box(scene, &moving);
         let faces: Vec<Option<Face>> = bodies
             .iter()
             .map(|body| wall_face(body, &moving, moving_box))
@@ -71,7 +71,7 @@ impl Surroundings {
             is_scenery,
             wall_faces,
             has_floor: !floors.is_empty(),
-            ground_height: ground_height(&floors, enclosed)
+            ground_height: ground_height(&floors, enclosed, (high - low).length())
                 .unwrap_or(low.y - 0.25 * (high.y - low.y)),
             low,
             high,
@@ -136,11 +136,18 @@ fn enclosed_floor<'a>(floors: &[&'a Body], walls: &[Face]) -> Option<&'a Body> {
     }
 }
 
-/// The top of the floor between walls, or the lowest point of all floors, m.
-fn ground_height(floors: &[&Body], enclosed: Option<&Body>) -> Option<f32> {
-    let (low, _) = box_about(floors);
-    let height = enclosed.map_or(low, |floor| box_about(&[floor]).1);
-    height.is_finite().then_some(height.as_vec3().y)
+/// The height of the ground, m: the top of a floor between walls; otherwise a little below the
+/// top of the lowest floor, so that this stands out as a thin plate.
+fn ground_height(floors: &[&Body], enclosed: Option<&Body>, size: f32) -> Option<f32> {
+    if let Some(floor) = enclosed {
+        return Some(box_about(&[floor]).1.as_vec3().y);
+    }
+    let plate = |floor: &&Body| {
+        let (low, high) = box_about(&[floor]);
+        let (low, high) = (low.as_vec3().y, high.as_vec3().y);
+        low.max(high - 0.02 * size)
+    };
+    floors.iter().map(plate).min_by(f32::total_cmp)
 }
 
 /// The inner face of a body that is a wall: a static box with an upright face which has all
@@ -234,6 +241,22 @@ fn worth_seeing(
     }
 }
 
+/// How long bodies that nothing holds or pulls down are followed, s.
+const FREE_FLIGHT: f64 = 2.5;
+
+/// The box about the moving bodies; in free space about where they fly to as well.
+fn paths_box(scene: &Scene, moving: &[&Body]) -> (DVec3, DVec3) {
+    let (mut low, mut high) = box_about(moving);
+    if scene.gravity == DVec3::ZERO && scene.orbits.is_empty() && scene.forces.is_empty() {
+        for body in moving {
+            let end = body.position + FREE_FLIGHT * body.linear_velocity;
+            low = low.min(end);
+            high = high.max(end);
+        }
+    }
+    (low, high)
+}
+
 /// How far from the world's origin an orbit may carry its body along each axis, m: its own
 /// radius and those of the orbits that it is nested in.
 fn orbit_reach(scene: &Scene, i: usize) -> DVec3 {
@@ -306,7 +329,7 @@ mod tests {
         assert_eq!(walls, [false, true, true, false, false, false]);
         assert!(found.has_floor);
         assert_eq!(found.wall_faces[0].normal, Vec3::NEG_X);
-        assert!((found.ground_height + 1.0).abs() < 1e-6);
+        assert!(found.ground_height < 0.0 && found.ground_height > -0.2);
     }
 
     #[test]

@@ -11,12 +11,11 @@ const MARKS: usize = 40;
 
 /// Draws all curves.
 pub fn draw(canvas: &mut Canvas, series: &[Series], frame: &Frame) -> Drawn {
-    let lanes = series.len();
     let curves: Vec<Curve> = (series.iter().enumerate())
-        .map(|(lane, one)| Curve {
+        .map(|(number, one)| Curve {
             style: one.style,
             places: (one.points.iter())
-                .map(|&at| frame.locate(at, lane, lanes))
+                .map(|&at| frame.locate(at, number))
                 .collect(),
         })
         .collect();

@@ -27,6 +27,8 @@ pub struct Frame {
     /// Lines of the labels.
     x_label: Vec<String>,
     y_label: Vec<String>,
+    /// The curves that have points on a band, by number: each has its own height there.
+    lanes: Vec<usize>,
     /// The whole plot with its bands.
     outer: Sides,
     /// Where numbers stand, without the bands.
@@ -71,7 +73,8 @@ impl Frame {
             top,
             bottom: top + PLOT_HEIGHT,
         };
-        let lane = 10.0 + LANE * chart.series.len().min(6) as f64;
+        let lanes = lanes(chart, &y);
+        let lane = 10.0 + LANE * lanes.len().min(6) as f64;
         let room = |band: Option<_>, room| if band.is_some() { room } else { 0.0 };
         let inner = Sides {
             left: outer.left + room(x.below, SIDE_BAND),
@@ -88,6 +91,7 @@ impl Frame {
             y_ticks,
             x_label,
             y_label,
+            lanes,
             outer,
             inner,
         }
@@ -98,16 +102,16 @@ impl Frame {
         self.outer.bottom + LINE * (1 + self.x_label.len()) as f64 + MARGIN
     }
 
-    /// Where a point of curve number `lane` of `lanes` falls, and in which part. On a band,
-    /// every curve has its own height.
-    pub fn locate(&self, (x, y): Point, lane: usize, lanes: usize) -> (Point, Part) {
+    /// Where a point of curve number `curve` falls, and in which part.
+    pub fn locate(&self, (x, y): Point, curve: usize) -> (Point, Part) {
         let Sides {
             left,
             right,
             top,
             bottom,
         } = self.inner;
-        let share = (lane as f64 + 0.5) / lanes.max(1) as f64;
+        let lane = self.lanes.iter().position(|&other| other == curve);
+        let share = (lane.unwrap_or(0) as f64 + 0.5) / self.lanes.len().max(1) as f64;
         let within = |from: f64, to: f64| from + 5.0 + share * (to - from - 10.0);
         let (px, across) = match self.x.place(x) {
             Place::Below => (0.5 * (self.outer.left + left), -1),
@@ -238,6 +242,16 @@ impl Sides {
             (self.left, self.bottom),
         ]
     }
+}
+
+/// The curves that have points on a band of the vertical axis, by number.
+fn lanes(chart: &Chart, y: &Scale) -> Vec<usize> {
+    let is_off = |point: &Point| !matches!(y.place(point.1), Place::On(_));
+    let curves = chart.series.iter().enumerate();
+    curves
+        .filter(|(_, series)| series.points.iter().any(is_off))
+        .map(|(number, _)| number)
+        .collect()
 }
 
 /// Lines with a number are stronger than those between.

@@ -35,7 +35,7 @@ const MARGIN: f64 = 10.0;
 /// # Errors
 /// [`FindingsError::Draw`] where the drawing library gives up.
 pub fn svg(chart: &Chart) -> Result<String, FindingsError> {
-    let title = text::wrapped(&chart.title, text::TITLE, WIDTH - 2.0 * MARGIN);
+    let title = text::wrapped(&chart.title, text::BOLD * text::TITLE, WIDTH - 2.0 * MARGIN);
     let legend = Legend::new(&chart.series, WIDTH - 2.0 * MARGIN);
     let title_height = text::TITLE * 1.35 * title.len() as f64;
     let top = MARGIN + title_height + legend.height();

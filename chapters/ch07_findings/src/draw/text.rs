@@ -10,6 +10,8 @@ pub const GREY: Ink = Ink::full((0x76, 0x76, 0x76));
 
 /// Height of the title, pixels.
 pub const TITLE: f64 = 16.0;
+/// How much wider bold letters are.
+pub const BOLD: f64 = 1.12;
 /// Height of the names of axes and curves, pixels.
 pub const LABEL: f64 = 13.5;
 /// Height of the numbers at the axes, pixels.

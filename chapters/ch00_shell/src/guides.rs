@@ -1,0 +1,78 @@
+//! Lines that explain a picture: the layers that are shown, what bodies hang on, the circles
+//! on which they are moved, and the mouse's spring.
+
+use std::f64::consts::TAU;
+
+use ch00_scenes::{Force, Scene, orbits};
+use glam::DVec3;
+
+use crate::render::lines::{Stroke, stroke_between, stroke_of};
+use crate::stage::Stage;
+
+const SPRING: [u8; 4] = [255, 190, 60, 255];
+const ROD: [u8; 4] = [120, 130, 140, 255];
+const ORBIT: [u8; 4] = [120, 135, 155, 150];
+
+/// Straight pieces of a circle.
+const PIECES: u32 = 72;
+
+/// Collects a frame's lines.
+pub fn collect(stage: &Stage, strokes: &mut Vec<Stroke>) {
+    strokes.clear();
+    let session = stage.session();
+    for &layer in &stage.layers {
+        strokes.extend(session.engine().layer(layer).iter().map(stroke_of));
+    }
+    for force in &session.scene().forces {
+        if let Force::FixedPoint { body, arm } = *force {
+            let (position, orientation) = session.pose(body, stage.alpha());
+            strokes.push(line(position - orientation * arm, position, 3.0, ROD));
+        }
+    }
+    let shown_time = session.time() - (1.0 - stage.alpha()) * session.dt();
+    add_orbits(session.scene(), shown_time, strokes);
+    if let Some(pull) = stage.pulled() {
+        let (position, orientation) = session.pose(pull.body, stage.alpha());
+        let held = position + orientation * pull.anchor;
+        strokes.push(line(held, pull.target, 3.0, SPRING));
+    }
+}
+
+/// The circles of all orbits at this time: where each body would be at other phases.
+fn add_orbits(scene: &Scene, time: f64, strokes: &mut Vec<Stroke>) {
+    if scene.orbits.is_empty() {
+        return;
+    }
+    let mut turned = scene.clone();
+    for (i, orbit) in scene.orbits.iter().enumerate() {
+        let mut at = |piece: u32| {
+            let angle = TAU * f64::from(piece) / f64::from(PIECES);
+            turned.orbits[i].phase = orbit.phase + angle;
+            orbits::state_at(&turned, time).position[orbit.body]
+        };
+        let points: Vec<DVec3> = (0..=PIECES).map(&mut at).collect();
+        strokes.extend(points.windows(2).map(|p| line(p[0], p[1], 1.0, ORBIT)));
+        turned.orbits[i].phase = orbit.phase;
+    }
+}
+
+fn line(from: DVec3, to: DVec3, width: f32, color: [u8; 4]) -> Stroke {
+    stroke_between(from.as_vec3(), to.as_vec3(), width, color)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_orbits_circle_is_closed_and_passes_through_its_body() {
+        let scene = Scene::open("orrery", None, None).expect("`orrery` is built in");
+        let mut strokes = Vec::new();
+        add_orbits(&scene, 0.0, &mut strokes);
+        let circle = &strokes[PIECES as usize..2 * PIECES as usize];
+        let first = circle[0].from;
+        assert_eq!(first, scene.bodies[1].position.as_vec3().to_array());
+        let gap = glam::Vec3::from(first).distance(circle[circle.len() - 1].to.into());
+        assert!(gap < 1e-5, "{gap}");
+    }
+}
