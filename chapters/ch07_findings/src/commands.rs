@@ -92,7 +92,7 @@ fn command() -> clap::Command {
             let _ = write!(
                 text,
                 "\nExamples:\n  {program} chart\n      all charts, into book/src/charts\n  \
-                 {program} chart table1 --out /tmp\n      one of them, elsewhere"
+                 {program} chart table1 --out charts\n      one of them, elsewhere"
             );
             chart.after_help(text)
         })

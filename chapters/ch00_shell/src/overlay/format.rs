@@ -5,7 +5,9 @@ use std::time::Duration;
 /// A time in milliseconds, or in microseconds where it is short.
 pub fn time(time: Duration) -> String {
     let seconds = time.as_secs_f64();
-    if seconds < 1e-3 {
+    if seconds < 1e-5 {
+        format!("{:.1} µs", 1e6 * seconds)
+    } else if seconds < 1e-3 {
         format!("{:.0} µs", 1e6 * seconds)
     } else if seconds < 0.1 {
         format!("{:.2} ms", 1e3 * seconds)
@@ -42,7 +44,8 @@ mod tests {
 
     #[test]
     fn times_have_three_digits_or_so() {
-        assert_eq!(time(Duration::from_micros(7)), "7 µs");
+        assert_eq!(time(Duration::from_nanos(740)), "0.7 µs");
+        assert_eq!(time(Duration::from_micros(70)), "70 µs");
         assert_eq!(time(Duration::from_micros(16_667)), "16.67 ms");
         assert_eq!(time(Duration::from_millis(250)), "250 ms");
     }

@@ -1,7 +1,7 @@
 //! A ball and a box: clamp the ball's centre to the box, and look how far away that is.
 //!
-//! A centre inside the box has no nearest point outside that tells the way out. Then the face
-//! decides through which the centre came in, else the nearest face.
+//! That is wrong where the ball has gone too far in a step: the centre is inside the box, or past
+//! a corner and behind a face that it never saw. Then the face decides from which it came.
 
 use glam::Vec3;
 
@@ -27,12 +27,16 @@ pub fn sphere_box(
     if squared > reach * reach {
         return None;
     }
-    let (normal, gap) = if squared > 0.0 {
+    let before = to_block * (ball.p_before - block.p_before);
+    let (normal, gap) = if squared > 0.0 && came_from_there(before, nearest, between, half) {
         let distance = squared.sqrt();
         (between / distance, distance)
     } else {
-        way_out(centre, to_block * (ball.p_before - block.p_before), half)
+        way_out(centre, before, half)
     };
+    if gap > reach {
+        return None;
+    }
     let normal = block.q * normal;
     Some(Touch {
         normal,
@@ -41,7 +45,13 @@ pub fn sphere_box(
     })
 }
 
-/// The outward normal of the face to leave by, and minus the way to it, for a centre inside.
+/// Whether the centre was in front of the contact plane a step ago, or inside then too.
+fn came_from_there(before: Vec3, nearest: Vec3, between: Vec3, half: Vec3) -> bool {
+    let was_inside = before.abs().cmple(half).all();
+    was_inside || (before - nearest).dot(between) >= 0.0
+}
+
+/// The outward normal of the face to leave by, and how far in front of it the centre is, m.
 fn way_out(centre: Vec3, before: Vec3, half: Vec3) -> (Vec3, f32) {
     let outside = before.abs() - half;
     let axis = if outside.max_element() > 0.0 {
@@ -103,6 +113,14 @@ mod tests {
         let touch = at(Vec3::new(0.0, -0.3, 0.0), Vec3::new(0.0, 0.9, 0.0)).unwrap();
         assert_eq!(touch.normal, Vec3::Y);
         assert!((touch.depth - 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_ball_that_flew_past_a_corner_is_not_pushed_from_behind() {
+        // It came from the right of the block and is now below its lower face, still at its right half.
+        let touch = at(Vec3::new(1.8, -0.6, 0.0), Vec3::new(2.5, 0.3, 0.0)).unwrap();
+        assert_eq!(touch.normal, Vec3::X);
+        assert!((touch.depth - 0.4).abs() < 1e-6);
     }
 
     #[test]

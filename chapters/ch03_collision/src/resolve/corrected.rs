@@ -80,15 +80,30 @@ fn push_apart(count: usize, constraints: &mut [Constraint], rules: Rules) -> Vec
             break;
         }
     }
-    for shift in &mut shifts {
-        *shift = shift.clamp_length_max(LONGEST_SHIFT);
-    }
+    shorten_shifts(&mut shifts, constraints);
     for c in constraints.iter_mut().filter(|c| c.is_against_static()) {
         c.part(&mut shifts);
     }
     shifts
 }
 // ANCHOR_END: push_apart
+
+/// Cuts the shifts of bodies that know of no obstacle near them, so that none is pushed through
+/// one. Who is near an obstacle is pushed out of it afterwards, and must not pay for that twice.
+fn shorten_shifts(shifts: &mut [Vec3], constraints: &[Constraint]) {
+    let mut near_obstacle = vec![false; shifts.len()];
+    for c in constraints.iter().filter(|c| c.is_against_static()) {
+        near_obstacle[c.a] = true;
+        near_obstacle[c.b] = true;
+    }
+    for (shift, _) in shifts
+        .iter_mut()
+        .zip(&near_obstacle)
+        .filter(|(_, near)| !**near)
+    {
+        *shift = shift.clamp_length_max(LONGEST_SHIFT);
+    }
+}
 
 // ANCHOR: bounce
 /// Impacts, one after the other, until nobody approaches fast: each is a collision of two bodies

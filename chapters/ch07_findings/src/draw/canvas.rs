@@ -84,7 +84,7 @@ impl<'a> Canvas<'a> {
 
     /// The same in dashes.
     pub fn dashes(&mut self, points: &[Point], ink: Ink, width: f64) -> Drawn {
-        let (dash, gap) = (units(7.0), units(6.0));
+        let (dash, gap) = (units(6.0), units(5.0));
         self.area.draw(&DashedPathElement::new(
             fine(points),
             dash,

@@ -41,7 +41,7 @@ pub fn chart() -> Chart {
         name: "erratum_07",
         title: "Erratum 7: speed of approach after an impact, 2 m/s before, e = 0.8".to_owned(),
         x: Axis::log("m₂ / m₁"),
-        y: Axis::linear("speed of approach after (m/s); below 0 they part"),
+        y: Axis::linear("speed of approach after (m/s)"),
         series: vec![
             Series::of("printed: +C for body 2", Style::Printed, &ratios, |r| {
                 approach_after(r, true)
