@@ -45,6 +45,9 @@ pub fn sphere_box(
     })
 }
 
+// ANCHOR_END: sphere_box
+
+// ANCHOR: way_out
 /// Whether the centre was in front of the contact plane a step ago, or inside then too.
 fn came_from_there(before: Vec3, nearest: Vec3, between: Vec3, half: Vec3) -> bool {
     let was_inside = before.abs().cmple(half).all();
@@ -63,7 +66,7 @@ fn way_out(centre: Vec3, before: Vec3, half: Vec3) -> (Vec3, f32) {
     let side = if came[axis] < 0.0 { -1.0 } else { 1.0 };
     (Vec3::AXES[axis] * side, side * centre[axis] - half[axis])
 }
-// ANCHOR_END: sphere_box
+// ANCHOR_END: way_out
 
 #[cfg(test)]
 mod tests {
