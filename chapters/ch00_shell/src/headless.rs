@@ -121,7 +121,7 @@ fn summarise(session: &Session, options: &Options, timing: Timing, worst: &Worst
         max_penetration_run_m: worst.penetration,
         max_joint_separation_final_m: last.joint_separation,
         max_joint_separation_run_m: worst.joint_separation,
-        escaped: last.escaped,
+        escaped: worst.escaped,
         nan: last.not_finite,
         overflow: session.engine().counters().overflow,
         kinetic_energy_final: Some(last.conserved.kinetic_energy),

@@ -45,7 +45,8 @@ pub struct Summary {
     pub max_joint_separation_final_m: Option<f64>,
     /// Widest gap of a joint after any step that was measured, m.
     pub max_joint_separation_run_m: Option<f64>,
-    /// Bodies that left the scene's box; none if the scene says no box.
+    /// Most bodies that were outside the scene's box at once, after any step; none if the scene
+    /// says no box.
     pub escaped: Option<usize>,
     /// Bodies with a number that is not finite.
     pub nan: usize,

@@ -1,6 +1,6 @@
-//! The worst overlap and the worst joint of a run without a window.
+//! The worst overlap, the worst joint and the most escapes of a run without a window.
 
-use ch00_scenes::measures::{Measures, Penetration};
+use ch00_scenes::measures::{Measures, Penetration, escaped};
 
 use crate::history::larger;
 use crate::session::Session;
@@ -20,6 +20,8 @@ pub(crate) struct Worst {
     pub(crate) penetration: Option<f64>,
     /// Widest joint so far, m.
     pub(crate) joint_separation: Option<f64>,
+    /// Most bodies that were outside at once, after any step.
+    pub(crate) escaped: Option<usize>,
 }
 
 impl Worst {
@@ -32,11 +34,15 @@ impl Worst {
             last: start,
             penetration: deepest(&start.penetration),
             joint_separation: start.joint_separation,
+            escaped: start.escaped,
         }
     }
 
-    /// Measures the state now, if it is its turn or the last.
+    /// Measures the state now, if it is its turn or the last; escapes, which cost next to nothing, in
+    /// any case.
     pub(crate) fn measure(&mut self, session: &Session, last: u32) {
+        let outside = escaped(session.scene(), session.state_now());
+        self.escaped = self.escaped.max(outside);
         let step = session.steps();
         if !step.is_multiple_of(self.every) && step != u64::from(last) {
             return;

@@ -46,7 +46,7 @@ pub struct Row {
     pub count: u64,
     /// Times of the runs with the first seed.
     pub timings: Vec<Timing>,
-    /// Balls outside the box after the last step: the worst seed.
+    /// Most balls that were outside the box after any step: the worst seed.
     pub escaped: usize,
     /// Deepest overlap after the last step, m: the worst seed.
     pub deepest_m: f64,
@@ -329,8 +329,9 @@ fn page(rows: &[Row], reported: &[Reported]) -> String {
         "Method `corrected` on one core of {cpu}; {STEPS} steps of 1/60 s, the first not timed, steps \
          alone, without drawing.{build} Each time is the median of {RUNS} runs (above {LONG_TEXT} balls \
          there is one); the range of the runs is in parentheses. FPS: the largest and the smallest mean of \
-         ten steps. Escaped and overlap after the last step, and the most energy above the start's \
-         during the run (at 10,000 balls after every second step): the worst of the seeds 1, 2, 3. \
+         ten steps. Escaped: the most balls outside the box after any step. Overlap: after the last step. \
+         Energy gained: the most above the start's during the run (at 10,000 balls after every second \
+         step). Of all these the worst of the seeds 1, 2, 3. \
          The report's numbers include drawing.\n\n{table}",
         cpu = processor(),
         LONG_TEXT = three_digits_of(LONG),
