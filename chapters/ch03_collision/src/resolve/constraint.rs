@@ -8,6 +8,9 @@ use glam::Vec3;
 use super::Rules;
 use crate::Contact;
 
+/// A lift that nobody pays for, m: what rounding makes of a body that rests and owes nothing.
+const LIFT_FOR_FREE: f32 = 1e-5;
+
 /// A contact while it is resolved.
 pub struct Constraint {
     pub(super) a: usize,
@@ -115,6 +118,31 @@ impl Constraint {
         true
     }
     // ANCHOR_END: part
+
+    // ANCHOR: pay_for_lift
+    /// Takes from the rest of its speed what a body's lift out of an obstacle costs beyond what its
+    /// fall pays: ½ v² must drop by the acceleration times the lift.
+    pub fn pay_for_lift(&self, bodies: &[Shared<RigidBody>]) {
+        if !self.is_against_static() || self.closing <= 0.0 {
+            return;
+        }
+        let (moving, out, weight) = if self.w1 > 0.0 {
+            (self.a, self.normal, self.w1)
+        } else {
+            (self.b, -self.normal, self.w2)
+        };
+        let mut body = bodies[moving].borrow_mut();
+        let v = body.moving().v;
+        let fall = (-v.dot(out)).max(0.0);
+        let unpaid = self.pushed - fall * fall / (2.0 * self.closing);
+        let rest = v + fall * out;
+        let speed = rest.length();
+        if unpaid > LIFT_FOR_FREE && speed > 0.0 {
+            let left = surface_speed(speed, self.closing, unpaid);
+            body.push(Vec3::ZERO, rest * ((left / speed - 1.0) / weight));
+        }
+    }
+    // ANCHOR_END: pay_for_lift
 
     // ANCHOR: hold
     /// Mends the support and then the friction of this contact.

@@ -1,9 +1,9 @@
 //! Resolution with the errata mended: every contact looks at what its neighbours did, sweep
 //! after sweep. Report 8.4; friction is the section it left open.
 //!
-//! Three things happen, none of which can add energy: overlapping bodies are pushed apart, fast
-//! ones bounce as if they had met at the surface, and what then still approaches is stopped
-//! and rubs.
+//! Three things happen: overlapping bodies are pushed apart, fast ones bounce as if they had met at
+//! the surface, and what then still approaches is stopped and rubs. Only the first could add
+//! energy, by lifting bodies out of obstacles, and their speed pays for that.
 
 use ch00_maths::f32::impulse::coulomb;
 use ch01_hierarchy::Shared;
@@ -26,6 +26,9 @@ pub fn resolve_corrected(
     begin(bodies, contacts);
     let mut constraints = prepare(bodies, contacts, rules, dt);
     let shifts = push_apart(bodies.len(), &mut constraints, rules);
+    for c in &constraints {
+        c.pay_for_lift(bodies);
+    }
     let left = bounce(bodies, &mut constraints, rules);
     rest(bodies, &mut constraints, rules);
     end(bodies, contacts, &constraints, &shifts);
