@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use ch00_scenes::{Force, Scene, orbits};
 use glam::DVec3;
 
+use crate::Session;
 use crate::render::lines::{Stroke, stroke_between, stroke_of};
 use crate::stage::Stage;
 
@@ -23,19 +24,25 @@ pub fn collect(stage: &Stage, strokes: &mut Vec<Stroke>) {
     for &layer in &stage.layers {
         strokes.extend(session.engine().layer(layer).iter().map(stroke_of));
     }
-    for force in &session.scene().forces {
-        if let Force::FixedPoint { body, arm } = *force {
-            let (position, orientation) = session.pose(body, stage.alpha());
-            strokes.push(line(position - orientation * arm, position, 3.0, ROD));
-        }
-    }
-    let shown_time = session.time() - (1.0 - stage.alpha()) * session.dt();
-    add_orbits(session.scene(), shown_time, strokes);
+    add_fixtures(session, stage.alpha(), strokes);
     if let Some(pull) = stage.pulled() {
         let (position, orientation) = session.pose(pull.body, stage.alpha());
         let held = position + orientation * pull.anchor;
         strokes.push(line(held, pull.target, 3.0, SPRING));
     }
+}
+
+/// What holds and carries the bodies, between the last two states at `alpha`: rods to fixed points,
+/// and orbits.
+pub fn add_fixtures(session: &Session, alpha: f64, strokes: &mut Vec<Stroke>) {
+    for force in &session.scene().forces {
+        if let Force::FixedPoint { body, arm } = *force {
+            let (position, orientation) = session.pose(body, alpha);
+            strokes.push(line(position - orientation * arm, position, 3.0, ROD));
+        }
+    }
+    let shown_time = session.time() - (1.0 - alpha) * session.dt();
+    add_orbits(session.scene(), shown_time, strokes);
 }
 
 /// The circles of all orbits at this time: where each body would be at other phases.

@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::camera::{Camera, Viewport};
 use crate::gpu::Gpu;
 use crate::render::{Picture, Quality, Renderer, Surroundings, Theme};
-use crate::{Session, ShellError};
+use crate::{Session, ShellError, guides};
 
 /// Width and height of the picture, pixels.
 pub const SIZE: [u32; 2] = [1280, 720];
@@ -50,6 +50,8 @@ fn draw(gpu: &Gpu, session: &Session) -> Result<Vec<u8>, ShellError> {
     let viewport = Viewport::whole(SIZE);
     let camera = Camera::framing(&surroundings, viewport);
     let mut renderer = Renderer::new(gpu, FORMAT, Quality::CARD, surroundings);
+    let mut strokes = Vec::new();
+    guides::add_fixtures(session, 1.0, &mut strokes);
     let picture = Picture {
         session,
         alpha: 1.0,
@@ -59,7 +61,7 @@ fn draw(gpu: &Gpu, session: &Session) -> Result<Vec<u8>, ShellError> {
         theme: Theme::default(),
         margin: wgpu::Color::BLACK,
         picked: None,
-        strokes: &[],
+        strokes: &strokes,
     };
     let mut encoder = gpu
         .device
