@@ -123,12 +123,9 @@ fn balls() {
 /// The hash of all bits after a run.
 fn hash(entry: EngineEntry, scene: &str, count: Option<u64>, steps: u32) -> String {
     let data = Scene::open(scene, count, None).expect("a built-in");
-    let mut engine = load(entry, &data, entry.methods[0].name);
-    for _ in 0..steps {
-        engine.step(data.dt as f32);
-    }
-    let mut state = State::default();
-    engine.read_state(&mut state);
+    let state = entry
+        .run(&data, &Settings::defaults(), steps)
+        .expect("the scene is supported");
     let count = count.map_or(String::new(), |count| format!(" {count}"));
     format!(
         "{} {scene}{count} {steps} {:016x}\n",

@@ -115,6 +115,20 @@ pub enum LoadError {
 }
 
 impl EngineEntry {
+    /// Loads a scene, makes `steps` of its steps, and gives the state after them.
+    ///
+    /// # Errors
+    /// [`LoadError`] where the engine can't take the scene.
+    pub fn run(&self, scene: &Scene, settings: &Settings, steps: u32) -> Result<State, LoadError> {
+        let mut engine = (self.load)(scene, settings)?;
+        for _ in 0..steps {
+            engine.step(scene.dt as f32);
+        }
+        let mut state = State::default();
+        engine.read_state(&mut state);
+        Ok(state)
+    }
+
     /// The method that `settings` name, or the default.
     ///
     /// # Errors

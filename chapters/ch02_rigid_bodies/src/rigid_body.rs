@@ -367,12 +367,6 @@ impl RigidBody {
     }
     // ANCHOR_END: resolving
 
-    /// Moves it without changing its velocities: p and p* together.
-    pub fn shift(&mut self, by: Vec3) {
-        self.p += by;
-        self.p_last += by;
-    }
-
     /// Writes its place into the graph.
     pub fn place_node(&self, graph: &mut SceneGraph) {
         graph.set_local(self.node, Transform::new(self.p, self.q));

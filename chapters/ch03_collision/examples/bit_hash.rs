@@ -2,7 +2,7 @@
 //!
 //! `cargo run -p ch03_collision --no-default-features --example bit_hash -- [SCENE] [COUNT] [STEPS]`
 
-use ch00_scenes::{Scene, Settings, State};
+use ch00_scenes::{Scene, Settings};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut args = std::env::args().skip(1);
@@ -10,12 +10,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let count = args.next().map_or(Ok(200), |text| text.parse())?;
     let steps: u32 = args.next().map_or(Ok(600), |text| text.parse())?;
     let scene = Scene::open(&name, Some(count), None)?;
-    let mut engine = (ch03_collision::ENGINE.load)(&scene, &Settings::defaults())?;
-    for _ in 0..steps {
-        engine.step(scene.dt as f32);
-    }
-    let mut state = State::default();
-    engine.read_state(&mut state);
+    let state = ch03_collision::ENGINE.run(&scene, &Settings::defaults(), steps)?;
     println!("{name} {count} {steps} {:016x}", state.hash());
     Ok(())
 }

@@ -10,13 +10,10 @@ fn load(scene: &Scene, method: &str) -> Box<dyn Engine> {
 }
 
 fn run(scene: &Scene, method: &str, steps: u32) -> State {
-    let mut engine = load(scene, method);
-    for _ in 0..steps {
-        engine.step(scene.dt as f32);
-    }
-    let mut state = State::default();
-    engine.read_state(&mut state);
-    state
+    let settings = Settings::defaults().with_method(method);
+    ch03_collision::ENGINE
+        .run(scene, &settings, steps)
+        .expect("the scene is supported")
 }
 
 #[track_caller]

@@ -3,7 +3,7 @@
 //! Where the report is silent: an impulse is given only to bodies that approach, and the
 //! position correction moves p and p* together, shared by s₁ and s₂.
 
-use ch00_maths::f32::impulse::{self, Mass};
+use ch00_maths::f32::impulse;
 use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
 
@@ -27,7 +27,8 @@ pub fn resolve_printed(bodies: &[Shared<RigidBody>], contacts: &mut [Contact]) {
         let approach = v_r.dot(n);
         let (s1, s2) = impulse::printed::shares(&mass_1, &mass_2);
         if approach < 0.0 {
-            let j = impulse_size(&body_1, &body_2, &mass_1, &mass_2, contact, approach);
+            let response = impulse::response(&mass_1, r1, &mass_2, r2, n);
+            let j = impulse::magnitude(approach, restitution(&body_1, &body_2), response);
             body_1.push(r1, s1 * j * n);
             body_2.push(r2, -s2 * j * n);
             contact.impulse = s1 * j * n;
@@ -38,19 +39,7 @@ pub fn resolve_printed(bodies: &[Shared<RigidBody>], contacts: &mut [Contact]) {
 }
 // ANCHOR_END: printed
 
-/// J of the report.
-fn impulse_size(
-    body_1: &RigidBody,
-    body_2: &RigidBody,
-    mass_1: &Mass,
-    mass_2: &Mass,
-    contact: &Contact,
-    approach: f32,
-) -> f32 {
-    let r1 = contact.point - body_1.position();
-    let r2 = contact.point - body_2.position();
-    let e =
-        impulse::mixed_restitution(body_1.material().restitution, body_2.material().restitution);
-    let response = impulse::response(mass_1, r1, mass_2, r2, contact.normal);
-    impulse::magnitude(approach, e, response)
+/// e of the pair.
+fn restitution(body_1: &RigidBody, body_2: &RigidBody) -> f32 {
+    impulse::mixed_restitution(body_1.material().restitution, body_2.material().restitution)
 }
