@@ -68,16 +68,19 @@ impl CollisionTree {
             let Some(touch) = touch(&placed(&body_1), &placed(&body_2), margin) else {
                 continue;
             };
-            contacts.push(Contact {
+            let from = contacts.len();
+            contacts.extend(touch.spots().iter().map(|spot| Contact {
                 a,
                 b,
+                feature: spot.feature,
                 normal: touch.normal,
-                depth: touch.depth,
-                point: touch.point,
+                depth: spot.depth,
+                point: spot.point,
                 impulse: Vec3::ZERO,
                 support: 0.0,
                 rub: Vec3::ZERO,
-            });
+            }));
+            contacts[from..].sort_unstable_by_key(|contact| contact.feature);
         }
         Contact::remember(contacts, &self.last);
     }

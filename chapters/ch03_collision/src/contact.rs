@@ -2,13 +2,15 @@
 
 use glam::Vec3;
 
-/// Where two bodies touch.
+/// One point where two bodies touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// Index of body 1.
     pub a: usize,
     /// Index of body 2, larger than `a`.
     pub b: usize,
+    /// Which features of the two bodies meet.
+    pub feature: u32,
     /// n̂: unit vector from body 2 to body 1.
     pub normal: Vec3,
     /// How deep they overlap, m; negative for a gap.
@@ -24,15 +26,20 @@ pub struct Contact {
 }
 
 impl Contact {
+    /// Who meets whom, and with which features.
+    fn key(&self) -> (usize, usize, u32) {
+        (self.a, self.b, self.feature)
+    }
+
     // ANCHOR: remember
     /// Hands on what these contacts' predecessors held in the last step. Both lists are in order
-    /// of (a, b), so one walk finds who was there before.
+    /// of (a, b, feature), so one walk finds who was there before.
     pub fn remember(contacts: &mut [Contact], last: &[Contact]) {
         let mut last = last.iter().peekable();
         for contact in contacts {
-            let pair = (contact.a, contact.b);
-            while last.next_if(|old| (old.a, old.b) < pair).is_some() {}
-            if let Some(old) = last.next_if(|old| (old.a, old.b) == pair) {
+            let key = contact.key();
+            while last.next_if(|old| old.key() < key).is_some() {}
+            if let Some(old) = last.next_if(|old| old.key() == key) {
                 contact.support = old.support;
                 contact.rub = old.rub;
             }

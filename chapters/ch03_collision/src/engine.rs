@@ -9,7 +9,7 @@ use ch00_scenes::{
 use ch02_rigid_bodies::{Loaded, METHODS, Method, load_bodies};
 use web_time::Instant;
 
-use crate::support::{check_settings, check_shapes, unsupported};
+use crate::checks::{check_settings, check_shapes, unsupported};
 use crate::{CollisionTree, Contact, Margins, Rules, layers, resolve_corrected, resolve_printed};
 
 /// Chapter 3's entry in a list of engines.

@@ -5,6 +5,7 @@
 //! chapter 5 can call them over columns.
 
 pub mod aabb;
+mod checks;
 mod collision_tree;
 mod contact;
 mod engine;
@@ -12,7 +13,6 @@ pub mod kd_tree;
 mod layers;
 pub mod narrow;
 mod resolve;
-mod support;
 
 pub use collision_tree::{CollisionTree, Margins};
 pub use contact::Contact;

@@ -10,20 +10,77 @@ pub use sphere_sphere::sphere_sphere;
 use ch00_maths::f32::shape::Shape;
 use glam::{Quat, Vec3};
 
+/// Points that a touch has at most: four corners hold a face on a face.
+pub const MOST_SPOTS: usize = 4;
+
 // ANCHOR: touch
 /// Where two shapes touch: the report's collision artefact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
     /// Unit vector from the second shape to the first: the shortest way apart.
     pub normal: Vec3,
-    /// How far they must part along it, m; negative for a gap.
-    pub depth: f32,
+    spots: [Spot; MOST_SPOTS],
+    count: usize,
+}
+
+/// One point of a touch.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spot {
     /// Midway between the two surfaces, world, m.
     pub point: Vec3,
+    /// How far the shapes must part here along the normal, m; negative for a gap.
+    pub depth: f32,
+    /// Which features of the two shapes meet here: the same number in the next step means the same
+    /// corner or edge, so that what it carried can be handed on.
+    pub feature: u32,
 }
 // ANCHOR_END: touch
 
 impl Touch {
+    /// Without a point yet.
+    #[must_use]
+    pub fn empty(normal: Vec3) -> Self {
+        Self {
+            normal,
+            spots: [Spot::default(); MOST_SPOTS],
+            count: 0,
+        }
+    }
+
+    /// In one point, which round shapes have: feature 0.
+    #[must_use]
+    pub fn single(normal: Vec3, depth: f32, point: Vec3) -> Self {
+        let mut touch = Self::empty(normal);
+        touch.push(Spot {
+            point,
+            depth,
+            feature: 0,
+        });
+        touch
+    }
+
+    /// Adds a point.
+    ///
+    /// # Panics
+    /// If it has [`MOST_SPOTS`] already.
+    pub fn push(&mut self, spot: Spot) {
+        self.spots[self.count] = spot;
+        self.count += 1;
+    }
+
+    /// Its points, at least one where shapes touch.
+    #[must_use]
+    pub fn spots(&self) -> &[Spot] {
+        &self.spots[..self.count]
+    }
+
+    /// The depth of its deepest point, m.
+    #[must_use]
+    pub fn depth(&self) -> f32 {
+        let depths = self.spots().iter().map(|spot| spot.depth);
+        depths.fold(f32::NEG_INFINITY, f32::max)
+    }
+
     /// The same seen from the second shape.
     #[must_use]
     pub fn flipped(self) -> Self {

@@ -38,11 +38,8 @@ pub fn sphere_box(
         return None;
     }
     let normal = block.q * normal;
-    Some(Touch {
-        normal,
-        depth: radius - gap,
-        point: ball.p - normal * (0.5 * (radius + gap)),
-    })
+    let point = ball.p - normal * (0.5 * (radius + gap));
+    Some(Touch::single(normal, radius - gap, point))
 }
 
 // ANCHOR_END: sphere_box
@@ -99,8 +96,8 @@ mod tests {
         let p = Vec3::new(0.3, 0.65, 0.0);
         let touch = at(p, p).unwrap();
         assert_eq!(touch.normal, Vec3::Y);
-        assert!((touch.depth - 0.05).abs() < 1e-6);
-        assert!((touch.point - Vec3::new(0.3, 0.475, 0.0)).length() < 1e-6);
+        assert!((touch.depth() - 0.05).abs() < 1e-6);
+        assert!((touch.spots()[0].point - Vec3::new(0.3, 0.475, 0.0)).length() < 1e-6);
     }
 
     #[test]
@@ -108,14 +105,14 @@ mod tests {
         let p = Vec3::new(2.1, 0.6, 0.0);
         let touch = at(p, p).unwrap();
         assert!((touch.normal - Vec3::new(1.0, 1.0, 0.0).normalize()).length() < 1e-6);
-        assert!((touch.depth - (0.2 - 0.02_f32.sqrt())).abs() < 1e-6);
+        assert!((touch.depth() - (0.2 - 0.02_f32.sqrt())).abs() < 1e-6);
     }
 
     #[test]
     fn a_ball_that_fell_past_the_middle_leaves_by_the_face_it_came_through() {
         let touch = at(Vec3::new(0.0, -0.3, 0.0), Vec3::new(0.0, 0.9, 0.0)).unwrap();
         assert_eq!(touch.normal, Vec3::Y);
-        assert!((touch.depth - 1.0).abs() < 1e-6);
+        assert!((touch.depth() - 1.0).abs() < 1e-6);
     }
 
     #[test]
@@ -123,7 +120,7 @@ mod tests {
         // It came from the right of the block and is now below its lower face, still at its right half.
         let touch = at(Vec3::new(1.8, -0.6, 0.0), Vec3::new(2.5, 0.3, 0.0)).unwrap();
         assert_eq!(touch.normal, Vec3::X);
-        assert!((touch.depth - 0.4).abs() < 1e-6);
+        assert!((touch.depth() - 0.4).abs() < 1e-6);
     }
 
     #[test]

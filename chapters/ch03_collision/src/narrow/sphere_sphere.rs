@@ -25,11 +25,8 @@ pub fn sphere_sphere(p1: Vec3, r1: f32, p2: Vec3, r2: f32, margin: f32) -> Optio
         Vec3::Y
     };
     let depth = r1 + r2 - distance;
-    Some(Touch {
-        normal,
-        depth,
-        point: p2 + normal * (r2 - 0.5 * depth),
-    })
+    let point = p2 + normal * (r2 - 0.5 * depth);
+    Some(Touch::single(normal, depth, point))
 }
 // ANCHOR_END: sphere_sphere
 
@@ -41,8 +38,8 @@ mod tests {
     fn balls_that_overlap_by_a_tenth() {
         let touch = sphere_sphere(Vec3::X * 0.9, 0.5, Vec3::ZERO, 0.5, 0.0).unwrap();
         assert_eq!(touch.normal, Vec3::X);
-        assert!((touch.depth - 0.1).abs() < 1e-6);
-        assert!((touch.point - Vec3::X * 0.45).length() < 1e-6);
+        assert!((touch.depth() - 0.1).abs() < 1e-6);
+        assert!((touch.spots()[0].point - Vec3::X * 0.45).length() < 1e-6);
     }
 
     #[test]
@@ -54,14 +51,14 @@ mod tests {
     #[test]
     fn a_gap_within_the_margin_is_a_negative_depth() {
         let touch = sphere_sphere(Vec3::X * 1.01, 0.5, Vec3::ZERO, 0.5, 0.02).unwrap();
-        assert!((touch.depth + 0.01).abs() < 1e-6);
-        assert!((touch.point - Vec3::X * 0.505).length() < 1e-6);
+        assert!((touch.depth() + 0.01).abs() < 1e-6);
+        assert!((touch.spots()[0].point - Vec3::X * 0.505).length() < 1e-6);
     }
 
     #[test]
     fn balls_with_one_centre_part_upwards() {
         let touch = sphere_sphere(Vec3::ONE, 0.5, Vec3::ONE, 0.25, 0.0).unwrap();
         assert_eq!(touch.normal, Vec3::Y);
-        assert_eq!(touch.depth, 0.75);
+        assert_eq!(touch.depth(), 0.75);
     }
 }
