@@ -64,23 +64,54 @@ fn tone(p: vec3f, pixel: f32) -> f32 {
     return clamp(0.5 * border / pixel + 0.5, 0.0, 1.0);
 }
 
-@fragment
-fn fs_ball(square: Square) -> Pixel {
-    let u = normalize(square.sight);
+// Where a line of sight meets the ball.
+struct Hit {
+    // From the viewer, m.
+    point: vec3f,
+    normal: vec3f,
+    // Width of a pixel there, m.
+    pixel: f32,
+    // How much of the pixel the ball covers.
+    cover: f32,
+}
+
+fn hit_of(square: Square, u: vec3f) -> Hit {
     let c = square.centre;
     let r = square.radius;
     // Along u to the point nearest to the centre, and the distance of the two.
     let b = dot(c, u);
     let s2 = max(dot(c, c) - b * b, 0.0);
-    let hit = u * (b - sqrt(max(r * r - s2, 0.0)));
-    let n = (hit - c) / r;
+    let point = u * (b - sqrt(max(r * r - s2, 0.0)));
     let pixel = frame.pixel_angle * b;
-    let local = quat_rotate(square.orientation * vec4f(-1.0, -1.0, -1.0, 1.0), n);
-    let sun_share = sunlit(shadow_place(frame.camera_position + hit, n));
-    let color = painted(square.color, tone(local, pixel / r), n, -u, sun_share);
     let cover = clamp((r - sqrt(s2)) / pixel + 0.5, 0.0, 1.0);
-    if cover == 0.0 {
+    return Hit(point, (point - c) / r, pixel, cover);
+}
+
+fn depth_of(point: vec3f) -> f32 {
+    return frame.near / dot(point, frame.camera_forward);
+}
+
+@fragment
+fn fs_ball(square: Square) -> Pixel {
+    let u = normalize(square.sight);
+    let hit = hit_of(square, u);
+    let local = quat_rotate(square.orientation * vec4f(-1.0, -1.0, -1.0, 1.0), hit.normal);
+    let sun_share = sunlit(shadow_place(frame.camera_position + hit.point, hit.normal));
+    let tone = tone(local, hit.pixel / square.radius);
+    let color = painted(square.color, tone, hit.normal, -u, sun_share);
+    if hit.cover == 0.0 {
         discard;
     }
-    return Pixel(vec4f(color, cover), frame.near / dot(hit, frame.camera_forward));
+    return Pixel(vec4f(color, hit.cover), depth_of(hit.point));
+}
+
+@fragment
+fn fs_glass_ball(square: Square) -> Pixel {
+    let u = normalize(square.sight);
+    let hit = hit_of(square, u);
+    let color = glassy(square.color, hit.normal, -u);
+    if hit.cover == 0.0 {
+        discard;
+    }
+    return Pixel(vec4f(color.rgb, color.a * hit.cover), depth_of(hit.point));
 }

@@ -23,7 +23,7 @@ struct Instance {
 }
 
 struct Surface {
-    @builtin(position) clip: vec4f,
+    @invariant @builtin(position) clip: vec4f,
     @location(0) point: vec3f,
     @location(1) normal: vec3f,
     // In the body's coordinates, in units of its size.
@@ -87,4 +87,10 @@ fn fs_static(surface: Surface) -> @location(0) vec4f {
     let sun = sunlit(surface.shadow) * max(dot(n, frame.sun_direction), 0.0);
     let light = color * (frame.sun_light * sun + ambient(n));
     return vec4f(to_display(light), 1.0);
+}
+
+@fragment
+fn fs_glass(surface: Surface) -> @location(0) vec4f {
+    let v = normalize(frame.camera_position - surface.point);
+    return glassy(surface.color, normalize(surface.normal), v);
 }

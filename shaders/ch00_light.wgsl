@@ -58,3 +58,13 @@ fn painted(color: vec4f, tone: f32, n: vec3f, v: vec3f, sun_share: f32) -> vec3f
     let glow = color.a * (0.06 + 0.9 * away * away) * vec3f(1.0, 0.85, 0.4);
     return to_display(lit(mix(color.rgb, second, tone), n, v, sun_share) + glow);
 }
+
+// A body of glass: faint where one looks straight through it, stronger where its surface turns
+// away.
+fn glassy(color: vec4f, n: vec3f, v: vec3f) -> vec4f {
+    let away = 1.0 - abs(dot(n, v));
+    let rim = away * away;
+    let sun = frame.sun_light * max(dot(n, frame.sun_direction), 0.0);
+    let light = color.rgb * (0.7 * sun + ambient(n)) + frame.sky_light * (0.25 * rim * rim);
+    return vec4f(to_display(light), 0.14 + 0.46 * rim);
+}

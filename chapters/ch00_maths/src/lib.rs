@@ -24,9 +24,11 @@ pub mod f32 {
     pub mod free_rotation;
     pub mod impulse;
     pub mod inertia;
+    pub mod joint;
     pub mod pin;
     pub mod rotation;
     pub mod shape;
+    pub mod swing_twist;
     pub mod verlet;
 }
 
@@ -49,8 +51,10 @@ pub mod f64 {
     pub mod free_rotation;
     pub mod impulse;
     pub mod inertia;
+    pub mod joint;
     pub mod pin;
     pub mod rotation;
     pub mod shape;
+    pub mod swing_twist;
     pub mod verlet;
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::{Body, Scene, State};
+use crate::{Body, Dissection, Drawing, Layer, Scene, State};
 
 /// Which mathematics an engine uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -247,46 +247,6 @@ pub struct Pull {
     pub target: DVec3,
 }
 
-/// A kind of line that an engine can draw of its inner state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Layer {
-    /// Bounding boxes of the broad phase.
-    Aabbs,
-    /// Cells of the broad phase's tree.
-    Cells,
-    /// Contacts with their normals.
-    Contacts,
-    /// Frames of nodes or joints.
-    Frames,
-}
-
-impl Layer {
-    /// All layers, in the order in which the overlay lists them.
-    pub const ALL: [Layer; 4] = [Layer::Aabbs, Layer::Cells, Layer::Contacts, Layer::Frames];
-
-    /// The layer's name in the overlay.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Layer::Aabbs => "bounding boxes",
-            Layer::Cells => "KD-tree cells",
-            Layer::Contacts => "contacts and normals",
-            Layer::Frames => "frames",
-        }
-    }
-}
-
-/// A line to draw.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
-    /// From, m.
-    pub from: [f32; 3],
-    /// To, m.
-    pub to: [f32; 3],
-    /// Red, green, blue, each 0 … 1.
-    pub color: [f32; 3],
-}
-
 /// The outcome of adding a body in mid-run.
 pub type Added = Result<usize, LoadError>;
 
@@ -313,6 +273,12 @@ pub trait Engine {
         Vec::new()
     }
 
+    /// The pairs of bodies that the broad phase of the last step found, the smaller index first,
+    /// in order.
+    fn pairs(&self) -> &[(usize, usize)] {
+        &[]
+    }
+
     /// What the last step counted.
     fn counters(&self) -> Counters {
         Counters::default()
@@ -326,14 +292,21 @@ pub trait Engine {
     /// What this engine does with this scene and why, for `--explain`.
     fn explain(&self) -> String;
 
-    /// Lines of a layer; empty where the engine has none.
-    fn layer(&self, _layer: Layer) -> Vec<Line> {
-        Vec::new()
+    /// Draws a layer; nothing where the engine doesn't have it.
+    fn layer(&self, _layer: Layer) -> Drawing {
+        Drawing::default()
     }
 
-    /// The layers that it can draw.
+    /// The layers that it can draw, in the order of [`Layer::ALL`].
     fn layers(&self) -> &'static [Layer] {
         &[]
+    }
+
+    /// What the narrow phase does with bodies `a` and `b` where they are now, after its
+    /// iteration `step`, from 0; past the last, that one. None where the engine has no narrow
+    /// phase to look into, or no such pair.
+    fn dissect(&self, _a: usize, _b: usize, _step: usize) -> Option<Dissection> {
+        None
     }
 
     /// Adds a body in mid-run; gives its index.

@@ -61,8 +61,8 @@ pub enum SceneError {
         /// What should.
         why: &'static str,
     },
-    /// More bodies than a built-in scene makes.
-    #[error("scene `{scene}`: --count {count}: it can have {least} to {most}")]
+    /// More or fewer of something than a built-in scene makes.
+    #[error("scene `{scene}`: --count {count}: it can have {least} to {most} {counts}")]
     Count {
         /// Name of the scene.
         scene: &'static str,
@@ -72,6 +72,8 @@ pub enum SceneError {
         least: u64,
         /// The most.
         most: u64,
+        /// What is counted, in the plural.
+        counts: &'static str,
     },
     /// A flag that this scene has no use for.
     #[error("scene `{scene}` has no `--{flag}`: {why}")]
@@ -81,7 +83,7 @@ pub enum SceneError {
         /// The flag.
         flag: &'static str,
         /// What to do instead.
-        why: &'static str,
+        why: String,
     },
     /// The scene can't be written.
     #[error("{}: can't write: {source}", file.display())]

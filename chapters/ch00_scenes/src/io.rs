@@ -25,7 +25,7 @@ impl Scene {
                 return Err(SceneError::Flag {
                     scene: name_or_path.to_owned(),
                     flag,
-                    why: "a file lists its bodies one by one",
+                    why: "a file lists its bodies one by one".to_owned(),
                 });
             }
         }

@@ -5,10 +5,13 @@
 //! architecture steps it; a method is which mathematics it uses.
 
 pub mod builtin;
+mod dissection;
+mod drawing;
 pub mod dump;
 mod engine;
 pub mod error;
 mod io;
+mod layer;
 pub mod measures;
 pub mod orbits;
 pub mod random;
@@ -16,11 +19,14 @@ mod scene;
 mod state;
 mod validate;
 
+pub use dissection::{Dissection, Phase, SurfacePoint};
+pub use drawing::{Drawing, Face, Key, Line, Mark, Rgb, palette};
 pub use engine::{
-    Added, Column, ColumnData, ContactPoint, Counters, Engine, EngineEntry, EngineInfo, Layer,
-    Line, LoadError, Loaded, Method, PassTime, Pull, Settings,
+    Added, Column, ColumnData, ContactPoint, Counters, Engine, EngineEntry, EngineInfo, LoadError,
+    Loaded, Method, PassTime, Pull, Settings,
 };
 pub use error::SceneError;
+pub use layer::Layer;
 pub use scene::{Body, EulerLimits, Force, Joint, Orbit, Pole, Scene};
 pub use state::State;
 

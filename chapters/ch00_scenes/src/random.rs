@@ -5,7 +5,8 @@
 //! Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators", figure
 //! 17 (there with other constants), and Vigna's `splitmix64.c` for these.
 
-use glam::DVec3;
+use ch00_maths::f64::real::{PI, cos, sin};
+use glam::{DQuat, DVec3};
 
 /// What the counter grows by: 2⁶⁴ divided by the golden ratio, rounded to an odd number.
 const GOLDEN_GAMMA: u64 = 0x9E37_79B9_7F4A_7C15;
@@ -53,6 +54,15 @@ impl SplitMix64 {
         let y = self.between(-size, size);
         let z = self.between(-size, size);
         DVec3::new(x, y, z)
+    }
+
+    /// A rotation, all equally likely: two angles, and how much of the quaternion each has
+    /// [Shoemake 1992, "Uniform random rotations", Graphics Gems III].
+    pub fn rotation(&mut self) -> DQuat {
+        let share = self.unit();
+        let (a, b) = (self.between(0.0, 2.0 * PI), self.between(0.0, 2.0 * PI));
+        let (c, d) = ((1.0 - share).sqrt(), share.sqrt());
+        DQuat::from_xyzw(c * sin(a), c * cos(a), d * sin(b), d * cos(b))
     }
 }
 
@@ -105,5 +115,24 @@ mod tests {
         let most = draws.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         assert!((0.1..0.1001).contains(&least), "{least}");
         assert!((0.2999..0.3).contains(&most), "{most}");
+    }
+
+    #[test]
+    fn random_rotations_are_of_unit_length_and_take_an_axis_everywhere() {
+        let mut random = SplitMix64::new(11);
+        let mut sum = DVec3::ZERO;
+        let mut squares = DVec3::ZERO;
+        for _ in 0..10_000 {
+            let q = random.rotation();
+            assert!((q.length() - 1.0).abs() < 1e-14);
+            let axis = q * DVec3::X;
+            sum += axis / 10_000.0;
+            squares += axis * axis / 10_000.0;
+        }
+        // Of a direction that is equally likely everywhere each component has mean 0 and
+        // mean square 1/3; three standard deviations of these means are 0.017 and 0.009.
+        assert!(sum.abs().max_element() < 0.017, "{sum}");
+        let off = (squares - DVec3::splat(1.0 / 3.0)).abs().max_element();
+        assert!(off < 0.009, "{squares}");
     }
 }

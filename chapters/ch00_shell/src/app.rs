@@ -16,6 +16,7 @@ use winit::window::{Window, WindowId};
 
 use crate::clock::Pace;
 use crate::gpu::Gpu;
+use crate::show::Show;
 use crate::stage::Stage;
 use crate::surface::{self, WindowSurface};
 use crate::window_loop::WindowLoop;
@@ -24,12 +25,17 @@ use crate::{Chapter, Session, ShellError};
 /// Width and height of the window at the start, points.
 const SIZE: LogicalSize<u32> = LogicalSize::new(1280, 720);
 
-/// Opens a window on a session and returns when it is closed.
+/// Opens a window on a session, with this shown in it, and returns when it is closed.
 ///
 /// # Errors
 /// [`ShellError::NoDisplay`] or [`ShellError::NoAdapter`] where there can be no window,
 /// [`ShellError::Graphics`] if the device fails.
-pub fn run(chapter: &Chapter, session: Session, pace: Pace) -> Result<(), ShellError> {
+pub fn run(
+    chapter: &Chapter,
+    session: Session,
+    pace: Pace,
+    show: Show,
+) -> Result<(), ShellError> {
     let start = Instant::now();
     let event_loop = EventLoop::<Ready>::with_user_event()
         .build()
@@ -37,7 +43,7 @@ pub fn run(chapter: &Chapter, session: Session, pace: Pace) -> Result<(), ShellE
     let mut app = App {
         start,
         proxy: event_loop.create_proxy(),
-        phase: Phase::Waiting(Box::new(Stage::new(*chapter, session, pace))),
+        phase: Phase::Waiting(Box::new(Stage::new(*chapter, session, pace, show))),
         failure: None,
     };
     event_loop

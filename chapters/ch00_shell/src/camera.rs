@@ -93,19 +93,24 @@ impl Camera {
             pitch: 0.38,
             scene_radius: surroundings.radius(),
         };
-        camera.distance = MARGIN * camera.fitting_distance(surroundings, viewport);
+        camera.frame(surroundings.low, surroundings.high, viewport);
         camera
     }
 
-    /// The least distance from which all corners of the box to see are between the planes
-    /// through the eye and the picture's edges: |x| ≤ (d + z) tan(angle / 2), likewise y.
-    fn fitting_distance(&self, surroundings: &Surroundings, viewport: Viewport) -> f32 {
+    /// Moves so that a box fills the picture, without turning.
+    pub fn frame(&mut self, low: Vec3, high: Vec3, viewport: Viewport) {
+        self.target = 0.5 * (low + high);
+        self.distance = MARGIN * self.fitting_distance(0.5 * (high - low), viewport);
+    }
+
+    /// The least distance from which all corners of a box of this half size are between the
+    /// planes through the eye and the picture's edges: |x| ≤ (d + z) tan(angle / 2), likewise y.
+    fn fitting_distance(&self, half: Vec3, viewport: Viewport) -> f32 {
         let forward = self.forward();
         let (right, up) = self.right_and_up();
         let tangent_y = (0.5 * FIELD_OF_VIEW).tan();
         let tangent_x = tangent_y * viewport.aspect();
-        let half = 0.5 * (surroundings.high - surroundings.low);
-        let mut distance = 0.1 * self.scene_radius;
+        let mut distance = 0.1 * half.length().max(0.05);
         for corner in 0..8_u8 {
             let sign = |bit: u8| if corner & bit == 0 { -1.0 } else { 1.0 };
             let point = half * Vec3::new(sign(1), sign(2), sign(4));
@@ -113,6 +118,13 @@ impl Camera {
             distance = distance.max(across - point.dot(forward));
         }
         distance
+    }
+
+    /// Moves away so far that a ball of this radius about the target fits in the picture.
+    pub fn fit_ball(&mut self, radius: f32, viewport: Viewport) {
+        let narrower = viewport.aspect().min(1.0);
+        let half_angle = ((0.5 * FIELD_OF_VIEW).tan() * narrower).atan();
+        self.distance = MARGIN * radius / half_angle.sin();
     }
 
     /// Where the viewer is, m.

@@ -7,14 +7,18 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use ch00_scenes::{EngineEntry, Scene, Settings, builtin};
+use ch00_scenes::{EngineEntry, Layer, Scene, Settings, builtin};
 use clap::{Command, FromArgMatches};
+use glam::Vec2;
 
 use crate::chapter::Chapter;
 use crate::clock::Pace;
 use crate::error::ShellError;
 use crate::headless::{Dump, Picture};
+use crate::render::Theme;
+use crate::screenshot::View;
 use crate::session::Session;
+use crate::show::{Dissect, Wish};
 use crate::{app, headless};
 
 /// The flags that all chapters share.
@@ -90,6 +94,29 @@ pub struct Args {
         help_heading = "Running without a window"
     )]
     pub screenshot: Option<PathBuf>,
+
+    /// Layers to draw over the bodies, separated by commas: aabbs, cells, contacts, frames,
+    /// joint-frames, limits
+    #[arg(long, value_name = "LAYER,…", help_heading = "What is shown besides the bodies",
+          value_delimiter = ',', value_parser = layer)]
+    pub layers: Vec<Layer>,
+    /// Look into the narrow phase of bodies A and B after its iteration STEP, from 1 [default:
+    /// the last]; `deepest` is the pair of the deepest contact
+    #[arg(long, value_name = "A,B[,STEP]|deepest[,STEP]", value_parser = dissect,
+          help_heading = "What is shown besides the bodies")]
+    pub dissect: Option<Dissect>,
+    /// Draw bodies solid while layers are shown, not as glass
+    #[arg(long, help_heading = "What is shown besides the bodies")]
+    pub solid: bool,
+    /// Draw the picture from this angle about the vertical and above the horizontal, in degrees,
+    /// and so much closer than needed to see everything
+    #[arg(long, value_name = "YAW,PITCH[,ZOOM]", value_parser = view_angles,
+          allow_negative_numbers = true, allow_hyphen_values = true,
+          help_heading = "What is shown besides the bodies", requires = "screenshot")]
+    pub view: Option<(Vec2, f32)>,
+    /// Draw the picture in dark colours
+    #[arg(long, help_heading = "What is shown besides the bodies", requires = "screenshot")]
+    pub dark: bool,
 }
 
 impl Args {
@@ -103,9 +130,32 @@ impl Args {
             || self.screenshot.is_some()
     }
 
+    /// What shall be shown besides the bodies.
+    #[must_use]
+    pub fn wish(&self) -> Wish {
+        Wish {
+            layers: self.layers.clone(),
+            is_solid: self.solid,
+            dissect: self.dissect,
+        }
+    }
+
+    fn view(&self) -> View {
+        View {
+            angles_and_zoom: self.view,
+            theme: if self.dark {
+                Theme::Dark
+            } else {
+                Theme::Light
+            },
+        }
+    }
+
     /// What a run without a window writes; without a wish for one, `picture` stands.
     fn headless_options(&self, picture: Picture) -> headless::Options {
         headless::Options {
+            wish: self.wish(),
+            view: self.view(),
             json: self.json,
             variable_step: self.variable_step,
             dump: self.dump.clone().map(|file| Dump {
@@ -193,6 +243,7 @@ pub fn report(outcome: Result<(), ShellError>) -> ExitCode {
 /// [`ShellError`] for whatever can't be had or written.
 pub fn run(chapter: &Chapter, args: &Args) -> Result<(), ShellError> {
     let session = args.session(chapter)?;
+    args.wish().check(&session)?;
     if args.explain {
         headless::print(&explain(&session))
     } else if args.is_headless() {
@@ -244,7 +295,9 @@ pub fn examples(chapter: &Chapter) -> String {
          {program} --scene my.json --steps 300 --dump my.rbd\n      \
          run a scene file and write its states\n  \
          {program} --scene {scene} --screenshot {scene}.png\n      \
-         run it and draw where it ends"
+         run it and draw where it ends\n  \
+         {program} --scene {scene} --layers contacts --dissect deepest --screenshot pair.png\n      \
+         draw its contacts too, and how the narrow phase finds the deepest one"
     );
     text
 }
@@ -286,7 +339,10 @@ fn open_window(chapter: &Chapter, args: &Args, session: Session) -> Result<(), S
         Pace::Fixed
     };
     let outcome = match display() {
-        Ok(()) => app::run(chapter, session, pace),
+        Ok(()) => {
+            let show = args.wish().show(&session);
+            app::run(chapter, session, pace, show)
+        }
         Err(error) => Err(error),
     };
     match outcome {
@@ -337,6 +393,50 @@ fn step_size(text: &str) -> Result<f64, String> {
         _ => Err(format!(
             "it must be a number of seconds from {SHORTEST_STEP} to {LONGEST_STEP}"
         )),
+    }
+}
+
+fn layer(text: &str) -> Result<Layer, String> {
+    let found = Layer::ALL.into_iter().find(|layer| layer.flag() == text);
+    found.ok_or_else(|| {
+        let flags = Layer::ALL.map(Layer::flag).join(", ");
+        format!("it must be one of: {flags}")
+    })
+}
+
+fn dissect(text: &str) -> Result<Dissect, String> {
+    let help = || "it must be A,B or A,B,STEP or deepest or deepest,STEP: two bodies from 0, an iteration from 1";
+    let words: Vec<&str> = text.split(',').collect();
+    let (bodies, rest) = match words[..] {
+        ["deepest", ref rest @ ..] => (None, rest),
+        [a, b, ref rest @ ..] => {
+            let index = |word: &str| word.parse().map_err(|_| help());
+            (Some([index(a)?, index(b)?]), rest)
+        }
+        _ => return Err(help().to_owned()),
+    };
+    let step = match *rest {
+        [] => None,
+        [step] => Some(step.parse().ok().filter(|&step| step > 0).ok_or_else(help)?),
+        _ => return Err(help().to_owned()),
+    };
+    Ok(Dissect { bodies, step })
+}
+
+fn view_angles(text: &str) -> Result<(Vec2, f32), String> {
+    let help = "it must be YAW,PITCH or YAW,PITCH,ZOOM: degrees, PITCH from -11 to 88, ZOOM from 0.1 to 100";
+    let numbers: Result<Vec<f32>, _> = text.split(',').map(str::parse).collect();
+    match numbers.as_deref() {
+        Ok(&[yaw, pitch, ref zoom @ ..])
+            if yaw.is_finite()
+                && (-11.0..=88.0).contains(&pitch)
+                && zoom.len() < 2
+                && zoom.iter().all(|zoom| (0.1..=100.0).contains(zoom)) =>
+        {
+            let angles = Vec2::new(yaw.to_radians(), pitch.to_radians());
+            Ok((angles, zoom.first().copied().unwrap_or(1.0)))
+        }
+        _ => Err(help.to_owned()),
     }
 }
 
@@ -442,6 +542,62 @@ mod tests {
             assert_eq!(error.exit_code(), 2);
             assert!(error.to_string().contains(words), "{error}");
         }
+    }
+
+    #[test]
+    fn layers_and_pairs_are_read_and_what_they_are_not_is_said() {
+        let flags = ["--layers", "contacts,joint-frames", "--dissect", "3,5,2"];
+        let wish = args(&flags).wish();
+        assert_eq!(wish.layers, [Layer::Contacts, Layer::JointFrames]);
+        let (bodies, step) = (Some([3, 5]), Some(2));
+        assert_eq!(wish.dissect, Some(Dissect { bodies, step }));
+        let deepest = args(&["--dissect", "deepest"]).dissect;
+        let (bodies, step) = (None, None);
+        assert_eq!(deepest, Some(Dissect { bodies, step }));
+        for (flag, value, words) in [
+            ("--layers", "contact", "aabbs, cells"),
+            ("--dissect", "3", "two bodies"),
+            ("--dissect", "3,4,0", "from 1"),
+            ("--dissect", "3,4,1,1", "two bodies"),
+            ("--dissect", "deepest,x", "from 1"),
+            ("--dissect", "-1,2", "two bodies"),
+        ] {
+            let error = parse(&[&format!("{flag}={value}")]).expect_err("it is wrong");
+            assert_eq!(error.exit_code(), 2);
+            assert!(error.to_string().contains(words), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_view_is_two_angles_and_a_zoom_of_a_picture() {
+        let picture = ["--screenshot", "a.png", "--view", "90,-10,2.5"];
+        let (angles, zoom) = args(&picture).view.expect("it was given");
+        assert!((angles.x - std::f32::consts::FRAC_PI_2).abs() < 1e-6);
+        assert!((angles.y + 10.0_f32.to_radians()).abs() < 1e-6);
+        assert_eq!(zoom, 2.5);
+        assert!(parse(&["--view", "90,10"]).is_err(), "no picture");
+        for wrong in ["90", "90,89", "90,10,0", "90,10,1,1", "x,y", "nan,1"] {
+            let flags = ["--screenshot", "a.png", "--view", wrong];
+            assert!(parse(&flags).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn an_engine_that_draws_nothing_says_so_before_the_run() {
+        let error_of = |arguments: &[&str]| {
+            let args = args(arguments);
+            let session = args.session(&CHAPTER).expect("the defaults load");
+            let error = args.wish().check(&session).expect_err("it can't");
+            error.to_string()
+        };
+        let message = error_of(&["--layers", "contacts"]);
+        assert!(message.contains("`contacts`") && message.contains("falling"), "{message}");
+        let message = error_of(&["--dissect", "0,1"]);
+        assert!(message.contains("no narrow phase"), "{message}");
+        let message = error_of(&["--dissect", "0,7"]);
+        assert!(message.contains("bodies 0 to 1"), "{message}");
+        let message = error_of(&["--dissect", "1,1"]);
+        assert!(message.contains("itself"), "{message}");
     }
 
     #[test]

@@ -34,6 +34,19 @@ pub enum ShellError {
         /// What it needs, and what to do.
         why: &'static str,
     },
+    /// The engine doesn't draw this layer.
+    #[error("`--layers {layer}`: the engine `{engine}` draws {}", if known.is_empty() { "no layers" } else { known.as_str() })]
+    Layer {
+        /// What was asked for.
+        layer: &'static str,
+        /// Name of the engine.
+        engine: &'static str,
+        /// What it draws, separated by commas.
+        known: String,
+    },
+    /// A pair can't be looked at.
+    #[error("`--dissect`: {0}")]
+    Pair(String),
     /// A file can't be written.
     #[error("{}: can't write: {source}", file.display())]
     Write {

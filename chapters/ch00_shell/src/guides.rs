@@ -1,13 +1,14 @@
-//! Lines that explain a picture: the layers that are shown, what bodies hang on, the circles
-//! on which they are moved, and the mouse's spring.
+//! What explains a picture: the layers that are shown, the pair that is looked at, what bodies
+//! hang on, the circles on which they are moved, and the mouse's spring.
 
 use std::f64::consts::TAU;
 
-use ch00_scenes::{Force, Scene, orbits};
+use ch00_scenes::{ContactPoint, Dissection, Drawing, Face, Force, Key, Layer, Mark, Scene, orbits};
 use glam::DVec3;
 
 use crate::Session;
 use crate::render::lines::{Stroke, stroke_between, stroke_of};
+use crate::show::Show;
 use crate::stage::Stage;
 
 const SPRING: [u8; 4] = [255, 190, 60, 255];
@@ -17,24 +18,78 @@ const ORBIT: [u8; 4] = [120, 135, 155, 150];
 /// Straight pieces of a circle.
 const PIECES: u32 = 72;
 
-/// Collects a frame's lines.
-pub fn collect(stage: &Stage, strokes: &mut Vec<Stroke>) {
-    strokes.clear();
-    let session = stage.session();
-    for &layer in &stage.layers {
-        strokes.extend(session.engine().layer(layer).iter().map(stroke_of));
+/// What is drawn over the bodies of a frame. Kept over frames for its memory.
+#[derive(Debug, Default)]
+pub struct Guides {
+    /// Lines.
+    pub strokes: Vec<Stroke>,
+    /// Faces.
+    pub faces: Vec<Face>,
+    /// Dots with letters.
+    pub marks: Vec<Mark>,
+    /// What colours mean.
+    pub key: Vec<Key>,
+    /// Contacts that tell their numbers when pointed at.
+    pub contacts: Vec<ContactPoint>,
+    /// The narrow phase of the pair that is looked at.
+    pub dissection: Option<Dissection>,
+}
+
+impl Guides {
+    /// Collects those of a window's frame.
+    pub fn collect(&mut self, stage: &Stage) {
+        let session = stage.session();
+        self.collect_shown(session, &stage.show);
+        add_fixtures(session, stage.alpha(), &mut self.strokes);
+        if let Some(pull) = stage.pulled() {
+            let (position, orientation) = session.pose(pull.body, stage.alpha());
+            let held = position + orientation * pull.anchor;
+            self.strokes.push(line(held, pull.target, 3.0, SPRING));
+        }
     }
-    add_fixtures(session, stage.alpha(), strokes);
-    if let Some(pull) = stage.pulled() {
-        let (position, orientation) = session.pose(pull.body, stage.alpha());
-        let held = position + orientation * pull.anchor;
-        strokes.push(line(held, pull.target, 3.0, SPRING));
+
+    /// Collects those of a picture of the last state.
+    #[must_use]
+    pub fn of_picture(session: &Session, show: &Show) -> Self {
+        let mut guides = Self::default();
+        guides.collect_shown(session, show);
+        add_fixtures(session, 1.0, &mut guides.strokes);
+        guides
+    }
+
+    /// Layers and pair.
+    fn collect_shown(&mut self, session: &Session, show: &Show) {
+        self.strokes.clear();
+        self.faces.clear();
+        self.marks.clear();
+        self.key.clear();
+        self.contacts.clear();
+        for layer in Layer::ALL {
+            if show.layers.contains(&layer) {
+                self.add(&session.engine().layer(layer));
+            }
+        }
+        if show.layers.contains(&Layer::Contacts) {
+            self.contacts = session.engine().contacts();
+        }
+        self.dissection = show.pair.and_then(|pair| pair.dissect(session));
+        if let Some(dissection) = self.dissection.take() {
+            self.add(&dissection.world);
+            self.dissection = Some(dissection);
+        }
+    }
+
+    fn add(&mut self, drawing: &Drawing) {
+        self.strokes.extend(drawing.lines.iter().map(stroke_of));
+        self.faces.extend_from_slice(&drawing.faces);
+        self.marks.extend_from_slice(&drawing.marks);
+        self.key.extend_from_slice(&drawing.key);
     }
 }
 
 /// What holds and carries the bodies, between the last two states at `alpha`: rods to fixed points,
 /// and orbits.
-pub fn add_fixtures(session: &Session, alpha: f64, strokes: &mut Vec<Stroke>) {
+fn add_fixtures(session: &Session, alpha: f64, strokes: &mut Vec<Stroke>) {
     for force in &session.scene().forces {
         if let Force::FixedPoint { body, arm } = *force {
             let (position, orientation) = session.pose(body, alpha);

@@ -14,8 +14,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use crate::clock::variable_step;
 use crate::error::ShellError;
 use crate::frame_rate::FrameRate;
-use crate::screenshot;
+use crate::screenshot::{self, View};
 use crate::session::Session;
+use crate::show::Wish;
 use crate::state_file::StateFile;
 use crate::summary::{Summary, Timing};
 use crate::worst::{Worst, deepest};
@@ -31,6 +32,10 @@ pub struct Options {
     pub dump: Option<Dump>,
     /// Whether and where the last state is drawn.
     pub picture: Picture,
+    /// What is drawn besides the bodies.
+    pub wish: Wish,
+    /// From where it is drawn.
+    pub view: View,
 }
 
 /// A file of states.
@@ -69,7 +74,7 @@ pub fn run(mut session: Session, options: &Options) -> Result<(), ShellError> {
     } else {
         summary.to_string()
     })?;
-    draw(&session, &options.picture)
+    draw(&session, options)
 }
 
 /// Makes the scene's steps and says how they went; prints nothing but the progress bar.
@@ -141,20 +146,28 @@ pub(crate) fn print(text: &str) -> Result<(), ShellError> {
 }
 
 /// Draws the last state, if it shall and can be drawn.
-fn draw(session: &Session, picture: &Picture) -> Result<(), ShellError> {
-    match picture {
+fn draw(session: &Session, options: &Options) -> Result<(), ShellError> {
+    match &options.picture {
         Picture::None => Ok(()),
         Picture::Wanted(file) => {
-            say_drawn(file, &screenshot::save(session, file)?);
+            say_drawn(file, &save(session, options, file)?);
             Ok(())
         }
-        Picture::IfPossible => draw_if_possible(session),
+        Picture::IfPossible => draw_if_possible(session, options),
     }
 }
 
-fn draw_if_possible(session: &Session) -> Result<(), ShellError> {
+fn save(session: &Session, options: &Options, file: &Path) -> Result<String, ShellError> {
+    let show = options.wish.show(session);
+    if options.wish.dissect.is_some() && show.pair.is_none() {
+        eprintln!("no two bodies are near each other, so no pair is looked at");
+    }
+    screenshot::save(session, &show, options.view, file)
+}
+
+fn draw_if_possible(session: &Session, options: &Options) -> Result<(), ShellError> {
     let file = picture_name(&session.scene().name, session.steps());
-    match screenshot::save(session, &file) {
+    match save(session, options, &file) {
         Ok(adapter) => {
             say_drawn(&file, &adapter);
             Ok(())

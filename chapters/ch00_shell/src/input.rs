@@ -1,5 +1,7 @@
-//! Keys and mouse: dragging a body pulls it, dragging anything else turns the camera.
+//! Keys and mouse: dragging a body pulls it, dragging anything else turns the camera, clicking
+//! a body with Shift looks at it and the one picked before.
 
+use ch00_scenes::Layer;
 use glam::Vec2;
 use winit::event::{ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent};
 use winit::keyboard::{Key, ModifiersState, NamedKey};
@@ -9,6 +11,9 @@ use crate::stage::Stage;
 
 /// Pixels of a touch pad that count as a notch of a wheel.
 const PIXELS_PER_NOTCH: f64 = 40.0;
+
+/// A drag shorter than so many pixels is a click.
+const CLICK: f32 = 4.0;
 
 /// What the mouse is doing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,6 +34,8 @@ pub struct Input {
     pointer: Vec2,
     modifiers: ModifiersState,
     drag: Drag,
+    /// Where a button went down with Shift.
+    shift_press: Option<Vec2>,
     /// Whether the user wants to close the window.
     pub wants_to_quit: bool,
 }
@@ -54,7 +61,10 @@ impl Input {
             WindowEvent::MouseWheel { delta, .. } if is_on_scene => {
                 stage.camera_to_move().zoom(notches(*delta));
             }
-            WindowEvent::Focused(false) => self.release(stage),
+            WindowEvent::Focused(false) => {
+                self.shift_press = None;
+                self.release(stage);
+            }
             _ => {}
         }
     }
@@ -70,14 +80,22 @@ impl Input {
             return;
         }
         // Only stepping goes on while a key is held.
-        if !event.repeat || matches!(key, Key::Character("." | "n" | "N")) {
+        let is_step = matches!(
+            key,
+            Key::Character("." | "n" | "N")
+                | Key::Named(NamedKey::ArrowLeft | NamedKey::ArrowRight)
+        );
+        if !event.repeat || is_step {
             act(stage, &key);
         }
     }
 
     fn press(&mut self, stage: &mut Stage, button: MouseButton) {
         self.drag = match button {
-            MouseButton::Left if self.modifiers.shift_key() => Drag::Pan,
+            MouseButton::Left if self.modifiers.shift_key() => {
+                self.shift_press = Some(self.pointer);
+                Drag::Pan
+            }
             MouseButton::Left if stage.grab(stage.sight(self.pointer)) => pulling(stage),
             MouseButton::Left => {
                 stage.picked = None;
@@ -91,6 +109,10 @@ impl Input {
     fn release(&mut self, stage: &mut Stage) {
         stage.let_go();
         self.drag = Drag::None;
+        let press = self.shift_press.take();
+        if press.is_some_and(|press| press.distance(self.pointer) < CLICK) {
+            stage.pick_partner(stage.sight(self.pointer));
+        }
     }
 
     fn move_to(&mut self, stage: &mut Stage, pointer: Vec2) {
@@ -135,6 +157,14 @@ fn act(stage: &mut Stage, key: &Key<&str>) {
         Key::Character("f" | "F" | "t" | "T") => stage.throw_ball(),
         Key::Character("v" | "V") => stage.toggle_pace(),
         Key::Character("c" | "C") => stage.move_camera_home(),
+        Key::Character("g" | "G") => stage.toggle_pair(),
+        Key::Character("b" | "B") => stage.move_camera_to_pair(),
+        Key::Named(NamedKey::ArrowLeft) => stage.move_step(-1),
+        Key::Named(NamedKey::ArrowRight) => stage.move_step(1),
+        Key::Named(NamedKey::Home) => stage.move_step(isize::MIN),
+        Key::Named(NamedKey::End) => stage.move_step(isize::MAX),
+        Key::Character("x" | "X") => stage.show.is_see_through = !stage.show.is_see_through,
+        Key::Character(digit) if let Some(layer) = layer_of(digit) => stage.toggle_layer(layer),
         Key::Character("l" | "L") => {
             stage.theme = match stage.theme {
                 Theme::Light => Theme::Dark,
@@ -145,11 +175,30 @@ fn act(stage: &mut Stage, key: &Key<&str>) {
     }
 }
 
+/// The layer that a digit stands for: its place in the overlay's list, from 1.
+fn layer_of(digit: &str) -> Option<Layer> {
+    let place = digit.parse::<usize>().ok()?.checked_sub(1)?;
+    Layer::ALL.get(place).copied()
+}
+
 /// Turns of the wheel, towards the user if negative.
 fn notches(delta: MouseScrollDelta) -> f32 {
     match delta {
         MouseScrollDelta::LineDelta(_, lines) => lines,
         #[expect(clippy::cast_possible_truncation, reason = "a few notches")]
         MouseScrollDelta::PixelDelta(pixels) => (pixels.y / PIXELS_PER_NOTCH) as f32,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_are_layers_in_the_order_of_the_list() {
+        assert_eq!(layer_of("1"), Some(Layer::Aabbs));
+        assert_eq!(layer_of("3"), Some(Layer::Contacts));
+        assert_eq!(layer_of("6"), Some(Layer::Limits));
+        assert_eq!((layer_of("0"), layer_of("7"), layer_of("x")), (None, None, None));
     }
 }

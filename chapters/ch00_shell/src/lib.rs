@@ -20,6 +20,7 @@ mod picking;
 mod render;
 pub mod screenshot;
 pub mod session;
+pub mod show;
 mod stage;
 mod state_file;
 pub mod summary;

@@ -17,8 +17,7 @@ pub struct Hit {
     pub distance: f32,
 }
 
-/// The nearest body on the line of sight, if it can move. Walls and ground are looked
-/// through; other static bodies hide what is behind them.
+/// The nearest body on the line of sight. Walls and ground are looked through.
 #[must_use]
 pub fn pick(session: &Session, alpha: f64, around: &Surroundings, sight: Ray) -> Option<Hit> {
     let bodies = &session.scene().bodies;
@@ -38,7 +37,7 @@ pub fn pick(session: &Session, alpha: f64, around: &Surroundings, sight: Ray) ->
         .min_by(|a, b| a.1.total_cmp(&b.1))?;
     #[expect(clippy::cast_possible_truncation, reason = "pictures are f32")]
     let distance = distance as f32;
-    (!bodies[body].is_static()).then_some(Hit { body, distance })
+    Some(Hit { body, distance })
 }
 
 /// Distance along a ray in the body's coordinates at which it enters the shape; none if it

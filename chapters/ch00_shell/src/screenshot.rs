@@ -1,13 +1,19 @@
-//! A picture without a window: draws a session into a texture, reads it back, writes a PNG.
+//! A picture without a window: draws a session into a texture, with what a window would show
+//! besides its panels, reads it back, writes a PNG.
 
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::Path;
 
+use glam::{Vec2, Vec3};
+
 use crate::camera::{Camera, Viewport};
 use crate::gpu::Gpu;
+use crate::guides::Guides;
+use crate::overlay::Still;
 use crate::render::{Picture, Quality, Renderer, Surroundings, Theme};
-use crate::{Session, ShellError, guides};
+use crate::show::Show;
+use crate::{Session, ShellError};
 
 /// Width and height of the picture, pixels.
 pub const SIZE: [u32; 2] = [1280, 720];
@@ -16,17 +22,31 @@ pub const SIZE: [u32; 2] = [1280, 720];
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 const BYTES_PER_PIXEL: u32 = 4;
 
-/// Draws the session's last state from where the window's camera would start, and writes a
-/// PNG. Gives the name of the adapter that drew it.
+/// From where a picture is drawn, and in which colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct View {
+    /// Angles about the vertical and above the horizontal, rad, and how much closer than needed
+    /// to see all bodies that move; where the window's camera would start if there are none.
+    pub angles_and_zoom: Option<(Vec2, f32)>,
+    /// Dusk or a bright room.
+    pub theme: Theme,
+}
+
+/// Draws the session's last state and writes a PNG. Gives the name of the adapter that drew it.
 ///
 /// # Errors
 /// [`ShellError::NoAdapter`] or [`ShellError::Graphics`] where it can't be drawn,
 /// [`ShellError::Write`] where it can't be written.
-pub fn save(session: &Session, path: &Path) -> Result<String, ShellError> {
+pub fn save(
+    session: &Session,
+    show: &Show,
+    view: View,
+    path: &Path,
+) -> Result<String, ShellError> {
     let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
     let instance = wgpu::Instance::new(descriptor);
     let gpu = pollster::block_on(Gpu::request(&instance, None))?;
-    let pixels = draw(&gpu, session)?;
+    let pixels = draw(&gpu, session, show, view)?;
     write_png(path, &pixels).map_err(|source| ShellError::Write {
         file: path.to_owned(),
         source,
@@ -35,7 +55,7 @@ pub fn save(session: &Session, path: &Path) -> Result<String, ShellError> {
 }
 
 /// The picture's pixels, row by row from the top.
-fn draw(gpu: &Gpu, session: &Session) -> Result<Vec<u8>, ShellError> {
+fn draw(gpu: &Gpu, session: &Session, show: &Show, view: View) -> Result<Vec<u8>, ShellError> {
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("screenshot"),
         size: extent(),
@@ -46,29 +66,74 @@ fn draw(gpu: &Gpu, session: &Session) -> Result<Vec<u8>, ShellError> {
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
         view_formats: &[],
     });
+    let guides = Guides::of_picture(session, show);
     let surroundings = Surroundings::of(session.scene());
-    let viewport = Viewport::whole(SIZE);
-    let camera = Camera::framing(&surroundings, viewport);
+    let mut still = Still::new(gpu, FORMAT, SIZE, view.theme);
+    let mut viewport = Viewport::whole(SIZE);
+    let mut camera = camera(session, show, view, &surroundings, viewport);
+    if show.is_any() {
+        // The panel's place is known only when it has been laid out.
+        viewport = still.lay_out(session, show, &guides, &camera);
+        camera = self::camera(session, show, view, &surroundings, viewport);
+        still.lay_out(session, show, &guides, &camera);
+    }
     let mut renderer = Renderer::new(gpu, FORMAT, Quality::CARD, surroundings);
-    let mut strokes = Vec::new();
-    guides::add_fixtures(session, 1.0, &mut strokes);
     let picture = Picture {
         session,
         alpha: 1.0,
         camera: &camera,
         viewport,
         scale: 1.0,
-        theme: Theme::default(),
-        margin: wgpu::Color::BLACK,
+        theme: view.theme,
+        margin: still.background(),
         picked: None,
-        strokes: &strokes,
+        pair: show.pair.map(|pair| pair.bodies),
+        is_glass: show.is_glass(),
+        strokes: &guides.strokes,
+        faces: &guides.faces,
     };
     let mut encoder = gpu
         .device
         .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-    renderer.draw(gpu, &mut encoder, &view, SIZE, &picture);
+    let target = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    renderer.draw(gpu, &mut encoder, &target, SIZE, &picture);
+    if show.is_any() {
+        still.paint(gpu, &mut encoder, &target);
+    }
     read_back(gpu, encoder, &texture)
+}
+
+/// Where the window's camera would start, or close to the pair that is looked at; turned and
+/// moved as the view says.
+fn camera(
+    session: &Session,
+    show: &Show,
+    view: View,
+    surroundings: &Surroundings,
+    viewport: Viewport,
+) -> Camera {
+    let mut camera = Camera::framing(surroundings, viewport);
+    if let Some((angles, _)) = view.angles_and_zoom {
+        (camera.yaw, camera.pitch) = angles.into();
+    }
+    let (low, high) = match (&show.pair, view.angles_and_zoom) {
+        (Some(pair), _) => pair.corners(session),
+        (None, Some(_)) => corners_of_moving(session).unwrap_or((surroundings.low, surroundings.high)),
+        (None, None) => (surroundings.low, surroundings.high),
+    };
+    camera.frame(low, high, viewport);
+    camera.distance /= view.angles_and_zoom.map_or(1.0, |(_, zoom)| zoom);
+    camera
+}
+
+/// Corners of the box about all bodies that can move where they are now, if there are any, m.
+fn corners_of_moving(session: &Session) -> Option<(Vec3, Vec3)> {
+    let bodies = session.scene().bodies.iter().zip(&session.state_now().position);
+    let boxes = bodies.filter(|(body, _)| !body.is_static()).map(|(body, position)| {
+        let radius = body.shape.bounding_radius();
+        ((*position - radius).as_vec3(), (*position + radius).as_vec3())
+    });
+    boxes.reduce(|one, two| (one.0.min(two.0), one.1.max(two.1)))
 }
 
 /// Submits the commands, waits for them and copies the texture into memory.

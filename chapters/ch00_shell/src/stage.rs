@@ -2,9 +2,11 @@
 //! is paused, picked, pulled and drawn. Keys, mouse and overlay all act through this one
 //! type, and it knows none of them.
 
+mod looking;
+
 use std::time::Duration;
 
-use ch00_scenes::{EngineEntry, Layer, Pull, Scene, Settings};
+use ch00_scenes::{EngineEntry, Pull, Scene, Settings};
 use glam::{DVec3, Vec2};
 
 use crate::camera::{Camera, Ray, Viewport};
@@ -12,6 +14,7 @@ use crate::clock::{Clock, Pace};
 use crate::frame_rate::FrameRate;
 use crate::picking::{Hit, pick};
 use crate::render::{Surroundings, Theme};
+use crate::show::Show;
 use crate::throw::thrown_ball;
 use crate::{Chapter, Session, ShellError};
 
@@ -36,8 +39,8 @@ pub struct Stage {
     pub frame_rate: FrameRate,
     /// Colours of the picture.
     pub theme: Theme,
-    /// Which layers are drawn.
-    pub layers: Vec<Layer>,
+    /// What is shown besides the bodies.
+    pub show: Show,
     /// Whether the left panel is there.
     pub shows_overlay: bool,
     /// The body that was clicked last.
@@ -58,7 +61,7 @@ pub struct Stage {
 impl Stage {
     /// A session about to start.
     #[must_use]
-    pub fn new(chapter: Chapter, session: Session, pace: Pace) -> Self {
+    pub fn new(chapter: Chapter, session: Session, pace: Pace, show: Show) -> Self {
         let surroundings = Surroundings::of(session.scene());
         let viewport = Viewport::whole([1280, 720]);
         Self {
@@ -74,7 +77,7 @@ impl Stage {
             is_paused: false,
             frame_rate: FrameRate::of_window(),
             theme: Theme::default(),
-            layers: Vec::new(),
+            show,
             shows_overlay: true,
             picked: None,
             pull: None,
@@ -98,11 +101,11 @@ impl Stage {
         &self.clock
     }
 
-    /// How far between the last two states to draw. Layers show the last state, and the
-    /// bodies with them.
+    /// How far between the last two states to draw. Layers and pairs show the last state, and
+    /// the bodies with them.
     #[must_use]
     pub fn alpha(&self) -> f64 {
-        if self.layers.is_empty() && self.pull.is_none() {
+        if !self.show.is_any() && self.pull.is_none() {
             self.alpha
         } else {
             1.0
@@ -176,6 +179,7 @@ impl Stage {
             Ok(session) => {
                 self.session = session;
                 self.picked = None;
+                self.show.pair = None;
                 self.pull = None;
                 self.notice = None;
                 self.surroundings = Surroundings::of(self.session.scene());
@@ -214,8 +218,7 @@ impl Stage {
         self.let_go();
         let outcome = self.session.change_engine(entry, settings);
         self.report(outcome.map_err(ShellError::from));
-        self.layers
-            .retain(|layer| self.session.engine().layers().contains(layer));
+        self.show.keep_possible(&self.session);
     }
 
     /// Where in the window the scene is from now on. A camera that nobody has moved keeps
@@ -262,10 +265,17 @@ impl Stage {
         self.report(outcome.map(drop).map_err(ShellError::from));
     }
 
-    /// Picks the body under a line of sight and takes hold of it; whether there is one.
+    /// The body under a line of sight, and how far away.
+    #[must_use]
+    pub fn under(&self, sight: Ray) -> Option<Hit> {
+        pick(&self.session, self.alpha(), &self.surroundings, sight)
+    }
+
+    /// Picks the body under a line of sight and takes hold of it; whether there is one that
+    /// can move.
     pub fn grab(&mut self, sight: Ray) -> bool {
-        let hit = pick(&self.session, self.alpha(), &self.surroundings, sight);
-        let Some(Hit { body, distance }) = hit else {
+        let moves = |hit: &Hit| !self.session.scene().bodies[hit.body].is_static();
+        let Some(Hit { body, distance }) = self.under(sight).filter(moves) else {
             return false;
         };
         self.picked = Some(body);
@@ -303,8 +313,7 @@ impl Stage {
         self.alpha = 1.0;
         let count = self.session.scene().bodies.len();
         self.picked = self.picked.filter(|&i| i < count);
-        self.layers
-            .retain(|layer| self.session.engine().layers().contains(layer));
+        self.show.keep_possible(&self.session);
     }
 
     fn report(&mut self, outcome: Result<(), ShellError>) {
@@ -322,7 +331,7 @@ mod tests {
     fn stage() -> Stage {
         let scene = Scene::open("pair", None, None).expect("`pair` is built in");
         let session = Session::new(scene, FALLING, Settings::defaults()).expect("it can fall");
-        Stage::new(CHAPTER, session, Pace::Fixed)
+        Stage::new(CHAPTER, session, Pace::Fixed, Show::default())
     }
 
     /// A line of sight at the first body.

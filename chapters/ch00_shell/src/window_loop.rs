@@ -9,10 +9,9 @@ use winit::window::Window;
 
 use crate::ShellError;
 use crate::gpu::Gpu;
-use crate::guides;
+use crate::guides::Guides;
 use crate::input::Input;
 use crate::overlay::{Layout, Overlay};
-use crate::render::lines::Stroke;
 use crate::render::{Picture, Quality, Renderer};
 use crate::stage::Stage;
 use crate::surface::WindowSurface;
@@ -26,7 +25,7 @@ pub struct WindowLoop {
     input: Input,
     stage: Stage,
     generation: u32,
-    strokes: Vec<Stroke>,
+    guides: Guides,
     start: Instant,
     last_frame: Option<Instant>,
     is_occluded: bool,
@@ -50,7 +49,7 @@ impl WindowLoop {
             renderer: Renderer::new(&gpu, surface.format(), quality, surroundings.clone()),
             overlay: Overlay::new(&gpu, &window, surface.format()),
             input: Input::default(),
-            strokes: Vec::new(),
+            guides: Guides::default(),
             last_frame: None,
             is_occluded: false,
             window,
@@ -105,8 +104,11 @@ impl WindowLoop {
         };
         let elapsed = self.measure_time();
         self.stage.advance(elapsed);
+        self.guides.collect(&self.stage);
         let size = self.surface.size();
-        let layout = self.overlay.lay_out(&self.window, size, &mut self.stage);
+        let layout = self
+            .overlay
+            .lay_out(&self.window, size, &mut self.stage, &self.guides);
         self.stage.set_viewport(layout.viewport);
         self.draw(&picture, layout);
         self.window.pre_present_notify();
@@ -129,7 +131,6 @@ impl WindowLoop {
     /// Draws the scene and paints the overlay over it.
     fn draw(&mut self, picture: &wgpu::SurfaceTexture, layout: Layout) {
         self.follow_scene();
-        guides::collect(&self.stage, &mut self.strokes);
         let gpu = &self.gpu;
         let view = picture
             .texture
@@ -147,7 +148,10 @@ impl WindowLoop {
             theme: self.stage.theme,
             margin: layout.background(),
             picked: self.stage.picked,
-            strokes: &self.strokes,
+            pair: self.stage.show.pair.map(|pair| pair.bodies),
+            is_glass: self.stage.show.is_glass(),
+            strokes: &self.guides.strokes,
+            faces: &self.guides.faces,
         };
         self.renderer.draw(gpu, &mut encoder, &view, size, &scene);
         self.overlay.paint(gpu, &mut encoder, &view, size, layout);

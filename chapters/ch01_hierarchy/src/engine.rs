@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use ch00_scenes::{
-    Added, Body, Column, ColumnData, Engine, EngineEntry, EngineInfo, Layer, Line, LoadError,
+    Added, Body, Column, ColumnData, Drawing, Engine, EngineEntry, EngineInfo, Layer, LoadError,
     Method, PassTime, Pull, Scene, Settings, State,
 };
 use glam::{DVec3, Vec3};
@@ -296,10 +296,10 @@ impl Engine for Objects {
         text
     }
 
-    fn layer(&self, layer: Layer) -> Vec<Line> {
+    fn layer(&self, layer: Layer) -> Drawing {
         match layer {
             Layer::Frames => frames(&self.level.graph, &self.bodies),
-            _ => Vec::new(),
+            _ => Drawing::default(),
         }
     }
 

@@ -1,10 +1,9 @@
 //! What the engine shows of its scene graph: the tree in words for `--explain`, and the
-//! frames as lines for the window.
+//! frames as a drawing for the window.
 
 use std::fmt::Write;
 
-use ch00_scenes::Line;
-use glam::Vec3;
+use ch00_scenes::{Drawing, palette};
 
 use crate::{NodeId, SceneGraph};
 
@@ -27,31 +26,19 @@ pub fn write_tree(text: &mut String, graph: &SceneGraph, id: NodeId, depth: usiz
 }
 
 // ANCHOR: frames
-/// The axes of every body's node, red, green and blue, and a grey link to its parent's.
-pub fn frames(graph: &SceneGraph, bodies: &[(NodeId, f32)]) -> Vec<Line> {
-    let mut lines = Vec::new();
-    let mut draw = |from: Vec3, to: Vec3, color| {
-        lines.push(Line {
-            from: from.into(),
-            to: to.into(),
-            color,
-        });
-    };
+/// The axes of every body's node, and a grey link to its parent's.
+pub fn frames(graph: &SceneGraph, bodies: &[(NodeId, f32)]) -> Drawing {
+    let mut drawing = Drawing::default();
     for &(id, length) in bodies {
         let world = graph.world(id);
-        for axis in Vec3::AXES {
-            draw(
-                world.translation,
-                world.point(axis * length),
-                axis.to_array(),
-            );
-        }
+        drawing.frame(world.translation, world.rotation, length, 1.5);
         let carrier = graph.parent(id);
         let above = carrier.and_then(|carrier| graph.parent(carrier));
         if let Some(above) = above {
-            draw(world.translation, graph.world(above).translation, [0.5; 3]);
+            let end = graph.world(above).translation;
+            drawing.line(world.translation, end, 1.5, palette::GREY);
         }
     }
-    lines
+    drawing
 }
 // ANCHOR_END: frames

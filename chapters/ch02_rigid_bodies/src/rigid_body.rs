@@ -60,9 +60,16 @@ pub struct RigidBody {
     fixed_point: Option<FixedPoint>,
     /// The mouse, while it drags the body.
     spring: Option<Spring>,
-    /// While collisions are resolved: what it moves like and how it answers to impulses.
+    /// While collisions are resolved: what it moves like, how it answers to impulses, and how far it
+    /// has been shifted, m, and turned, rad.
     moving: Velocity,
     answers: Mass,
+    shift: Vec3,
+    turn: Vec3,
+    /// What its forces change its velocities by in half a step.
+    half_kick: Velocity,
+    /// What supports, friction and joints changed its velocities by in the last resolution.
+    held_by: Velocity,
     /// Turns too fast to read (erratum 10), so far.
     unread_turns: usize,
 }
@@ -108,6 +115,10 @@ impl RigidBody {
             spring: None,
             moving: Velocity::default(),
             answers: Mass::new(0.0, Vec3::ZERO, Quat::IDENTITY),
+            shift: Vec3::ZERO,
+            turn: Vec3::ZERO,
+            half_kick: Velocity::default(),
+            held_by: Velocity::default(),
             unread_turns: 0,
         }
     }
@@ -151,6 +162,7 @@ impl RigidBody {
         self.p = p;
         self.q = q;
         self.dt_last = dt;
+        self.held_by = Velocity::default();
         self.sum_callbacks();
         self.set_velocity(velocity);
     }
@@ -195,6 +207,7 @@ impl RigidBody {
         self.p = p;
         self.q = q;
         self.dt_last = dt;
+        self.held_by = Velocity::default();
         if let Some(held) = self.fixed_point {
             self.p = held.point + self.q * held.arm;
             self.p_last = held.point + self.q_last * held.arm;
@@ -270,17 +283,32 @@ impl RigidBody {
 
     // ANCHOR: velocity
     /// Its velocities now (`corrected`) or over the last step (`printed`).
+    ///
+    /// What holds a body acts during the whole step, half of it before now and half after: a body at
+    /// rest reads as one.
     #[must_use]
     pub fn velocity(&self) -> Velocity {
         if self.is_static() {
             return Velocity::default();
         }
         match self.method {
-            Method::Printed => Velocity {
-                v: verlet::velocity(self.p, self.p_last, self.dt_last),
-                omega: rotation::angular_velocity(self.q, self.q_last, self.dt_last),
-            },
-            Method::Corrected => self.velocity_now(),
+            Method::Printed => self.moved(),
+            Method::Corrected => {
+                let now = self.velocity_now();
+                Velocity {
+                    v: now.v - 0.5 * self.held_by.v,
+                    omega: now.omega - 0.5 * self.held_by.omega,
+                }
+            }
+        }
+    }
+
+    /// Its mean velocities over the last step.
+    #[must_use]
+    pub fn moved(&self) -> Velocity {
+        Velocity {
+            v: verlet::velocity(self.p, self.p_last, self.dt_last),
+            omega: rotation::angular_velocity(self.q, self.q_last, self.dt_last),
         }
     }
 
@@ -340,6 +368,13 @@ impl RigidBody {
     /// Before collisions are resolved: reads its velocities and turns its inertia, once.
     pub fn begin_resolving(&mut self) {
         self.moving = self.velocity();
+        self.weigh();
+        self.shift = Vec3::ZERO;
+        self.turn = Vec3::ZERO;
+    }
+
+    /// Turns its inertia to where it is now.
+    pub fn weigh(&mut self) {
         self.answers = Mass::new(self.inverse_mass, self.inverse_inertia, self.q);
     }
 
@@ -360,12 +395,97 @@ impl RigidBody {
         self.moving = impulse::applied(self.moving, &self.answers, r, impulse);
     }
 
-    /// After collisions are resolved: moves it by `shift`, m, and gives it the velocities it has now.
-    pub fn end_resolving(&mut self, shift: Vec3) {
-        self.p += shift;
+    /// A turning impulse, N m s, world axes.
+    pub fn twist(&mut self, impulse: Vec3) {
+        self.moving.omega += self.answers.moment(impulse);
+    }
+
+    /// Before supports, friction and joints are resolved: from now on [`Self::moving`] is what it will
+    /// move with in the middle of the coming step.
+    pub fn begin_resting(&mut self) {
+        self.held_by = self.moving;
+        let half = 0.5 * self.dt_last;
+        let omega = self.moving.omega;
+        let gyroscopic = omega.cross(self.angular_momentum_of(omega));
+        self.half_kick = Velocity {
+            v: half * self.acceleration,
+            omega: self.answers.moment(half * (self.torque - gyroscopic)),
+        };
+        self.moving.v += self.half_kick.v;
+        self.moving.omega += self.half_kick.omega;
+    }
+
+    /// After collisions are resolved: moves it by its shift and turn, and gives it the velocities it
+    /// has now.
+    pub fn end_resolving(&mut self) {
+        self.moving.v -= self.half_kick.v;
+        self.moving.omega -= self.half_kick.omega;
+        let held_by = Velocity {
+            v: self.moving.v - self.held_by.v,
+            omega: self.moving.omega - self.held_by.omega,
+        };
+        self.displace(self.shift, self.turn);
         self.set_velocity(self.moving);
+        self.held_by = held_by;
     }
     // ANCHOR_END: resolving
+
+    // ANCHOR: shifting
+    /// A positional impulse, kg m, at `r` from its centre, that [`Self::end_resolving`] will carry out:
+    /// it moves and turns the body but leaves its velocities.
+    pub fn nudge(&mut self, r: Vec3, impulse: Vec3) {
+        self.shift += impulse * self.answers.inverse_mass;
+        self.turn += self.answers.moment(r.cross(impulse));
+    }
+
+    /// The same for a positional turning impulse, kg m².
+    pub fn nudge_turn(&mut self, impulse: Vec3) {
+        self.turn += self.answers.moment(impulse);
+    }
+
+    /// Where the point `r` from its centre has been nudged to, m.
+    #[must_use]
+    pub fn nudged(&self, r: Vec3) -> Vec3 {
+        self.shift + self.turn.cross(r)
+    }
+
+    /// Where its nudges have brought it: position, m, and orientation.
+    #[must_use]
+    pub fn nudged_pose(&self) -> (Vec3, Quat) {
+        (self.p + self.shift, rotation::turned(self.q, self.turn))
+    }
+
+    /// Makes its shift at most `longest`, m.
+    pub fn shorten_shift(&mut self, longest: f32) {
+        self.shift = self.shift.clamp_length_max(longest);
+    }
+
+    /// Moves it by `shift`, m, and turns it by `turn`, rad; p* and q* stay, so that its velocities
+    /// follow.
+    pub fn displace(&mut self, shift: Vec3, turn: Vec3) {
+        self.p += shift;
+        if turn != Vec3::ZERO {
+            self.q = rotation::turned(self.q, turn);
+        }
+    }
+
+    /// Carries out a positional impulse, kg m, at `r` from its centre at once; velocities follow.
+    pub fn displace_by(&mut self, r: Vec3, impulse: Vec3) {
+        self.displace_about(r, impulse, Vec3::ZERO);
+    }
+
+    /// The same together with a positional turning impulse, kg m².
+    pub fn displace_about(&mut self, r: Vec3, impulse: Vec3, turning: Vec3) {
+        let turn = self.answers.moment(r.cross(impulse) + turning);
+        self.displace(impulse * self.inverse_mass, turn);
+    }
+
+    /// Moves and turns it as the report prints it: to first order, in the wrong frame (erratum 4).
+    pub fn displace_printed(&mut self, shift: Vec3, turn: Vec3) {
+        self.p += shift;
+        self.q = rotation::printed::turned(self.q, turn);
+    }
+    // ANCHOR_END: shifting
 
     /// Writes its place into the graph.
     pub fn place_node(&self, graph: &mut SceneGraph) {

@@ -1,41 +1,8 @@
 //! What this chapter models so far: which scenes it takes and which it must refuse.
 
-use ch00_maths::f32::shape::Shape;
 use ch00_scenes::{LoadError, Scene, Settings};
-use ch01_hierarchy::Shared;
-use ch02_rigid_bodies::RigidBody;
 
 use crate::ENGINE;
-use crate::narrow::is_known;
-
-/// Whether every pair of bodies that could meet has a narrow phase.
-///
-/// # Errors
-/// [`LoadError::Unsupported`] that names the body.
-pub fn check_shapes(scene: &Scene, bodies: &[Shared<RigidBody>]) -> Result<(), LoadError> {
-    for (i, body) in bodies.iter().enumerate() {
-        let body = body.borrow();
-        if body.is_held() || body.is_static() {
-            continue;
-        }
-        for other in bodies {
-            if std::rc::Rc::ptr_eq(&bodies[i], other) || other.borrow().is_held() {
-                continue;
-            }
-            let other = other.borrow();
-            if !is_known(body.collider(), other.collider()) {
-                let what = format!(
-                    "{} against {} is not modelled yet, only balls against balls and boxes; \
-                     chapter 2 (ch02_rigid_bodies) runs it without collisions",
-                    name(body.collider()),
-                    name(other.collider()),
-                );
-                return Err(unsupported(scene, what, Some(i)));
-            }
-        }
-    }
-    Ok(())
-}
 
 /// The error for something that this engine doesn't model.
 pub fn unsupported(scene: &Scene, what: String, index: Option<usize>) -> LoadError {
@@ -87,13 +54,4 @@ pub fn check_settings(method: &'static str, settings: &Settings) -> Result<(), L
         }
     }
     Ok(())
-}
-
-fn name(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Sphere { .. } => "a ball",
-        Shape::Box { .. } => "a box",
-        Shape::Capsule { .. } => "a capsule",
-        Shape::Cylinder { .. } => "a cylinder",
-    }
 }

@@ -16,10 +16,20 @@ pub struct CollisionTree {
     boxes: Vec<Aabb>,
     tree: KdTree,
     pairs: Vec<(usize, usize)>,
+    /// Pairs that pass through each other, in order.
+    ignored: Vec<(usize, usize)>,
     last: Vec<Contact>,
 }
 
 impl CollisionTree {
+    /// From now on these pairs, in either order, touch each other no more.
+    pub fn ignore_pairs(&mut self, pairs: impl IntoIterator<Item = (usize, usize)>) {
+        let ordered = pairs.into_iter().map(|(a, b)| (a.min(b), a.max(b)));
+        self.ignored.extend(ordered);
+        self.ignored.sort_unstable();
+        self.ignored.dedup();
+    }
+
     // ANCHOR: broad
     /// Broad phase: the pairs that may be within the margin of each other, in order of index. Two
     /// bodies that can't move are no pair, and a held body touches nothing.
@@ -47,6 +57,10 @@ impl CollisionTree {
             });
         }
         self.pairs.sort_unstable();
+        if !self.ignored.is_empty() {
+            self.pairs
+                .retain(|pair| self.ignored.binary_search(pair).is_err());
+        }
         &self.pairs
     }
     // ANCHOR_END: broad
@@ -92,6 +106,12 @@ impl CollisionTree {
         self.pairs.len()
     }
 
+    /// The pairs that the last broad phase found, in order of index.
+    #[must_use]
+    pub fn pairs(&self) -> &[(usize, usize)] {
+        &self.pairs
+    }
+
     /// The bounding boxes of the last broad phase, by body.
     #[must_use]
     pub fn boxes(&self) -> &[Aabb] {
@@ -113,14 +133,26 @@ pub struct Margins {
     pub moving: f32,
     /// A body that moves and one that can't.
     pub obstacle: f32,
+    /// What is added for a body that doesn't bounce and moves on as it did in the last step, at most.
+    pub ahead: f32,
 }
 
 impl Margins {
+    /// Of a pair.
     fn between(self, one: &RigidBody, two: &RigidBody) -> f32 {
         if one.is_static() || two.is_static() {
             self.obstacle
         } else {
-            self.moving
+            self.moving + self.ahead_of(one) + self.ahead_of(two)
+        }
+    }
+
+    /// How far ahead of a body to look. Who bounces must arrive first.
+    fn ahead_of(self, body: &RigidBody) -> f32 {
+        if body.material().restitution > 0.0 {
+            0.0
+        } else {
+            body.last_reach().min(self.ahead)
         }
     }
 }
@@ -134,12 +166,14 @@ fn bounding_box(body: &RigidBody, margins: Margins) -> Aabb {
     let margin = if body.is_static() {
         margins.obstacle
     } else {
-        0.5 * margins.moving
+        0.5 * margins.moving + margins.ahead_of(body)
     };
     Aabb::of_shape(body.collider(), body.position(), body.orientation()).grown(margin)
 }
 
-fn placed(body: &RigidBody) -> Placed<'_> {
+/// A body as the narrow phase sees it.
+#[must_use]
+pub fn placed(body: &RigidBody) -> Placed<'_> {
     Placed {
         shape: body.collider(),
         p: body.position(),

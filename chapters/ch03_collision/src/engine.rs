@@ -1,16 +1,17 @@
 //! Chapter 3's engine: a level of rigid bodies and a collision tree.
 
-use std::time::Duration;
-
 use ch00_scenes::{
-    Added, Body, Column, ContactPoint, Counters, Engine, EngineEntry, EngineInfo, Layer, Line,
-    LoadError, PassTime, Pull, Scene, Settings, State,
+    Added, Body, Column, ContactPoint, Counters, Dissection, Drawing, Engine, EngineEntry,
+    EngineInfo, Layer, LoadError, PassTime, Pull, Scene, Settings, State,
 };
-use ch02_rigid_bodies::{Loaded, METHODS, Method, load_bodies};
-use web_time::Instant;
+use ch01_hierarchy::Shared;
+use ch02_rigid_bodies::{Loaded, METHODS, Method, RigidBody, load_bodies};
 
-use crate::checks::{check_settings, check_shapes, unsupported};
-use crate::{CollisionTree, Contact, Margins, Rules, layers, resolve_corrected, resolve_printed};
+use crate::checks::{check_settings, unsupported};
+use crate::{
+    CollisionTree, Contact, Links, Margins, NoLinks, PassClock, Rules, dissect, layers, placed, resolve_corrected,
+    resolve_printed,
+};
 
 /// Chapter 3's entry in a list of engines.
 pub const ENGINE: EngineEntry = EngineEntry {
@@ -48,14 +49,25 @@ impl CollisionEngine {
     /// [`LoadError`] for an unknown method, a setting that it lacks, joints, and shapes whose
     /// contacts aren't modelled.
     pub fn load(scene: &Scene, settings: &Settings) -> Result<Self, LoadError> {
-        let method = Method::of(&ENGINE, settings)?;
-        check_settings(method.name(), settings)?;
         if !scene.joints.is_empty() {
-            let what = "joints are not modelled yet".to_owned();
+            let what = "joints are not modelled yet; chapter 4 (ch04_ragdolls) runs it".to_owned();
             return Err(unsupported(scene, what, Some(0)));
         }
-        let world = load_bodies(&ENGINE, scene, method)?;
-        check_shapes(scene, &world.bodies)?;
+        Self::load_bodies(&ENGINE, scene, settings)
+    }
+
+    /// The same for another engine that is built on this one: joints are its business.
+    ///
+    /// # Errors
+    /// [`LoadError`] for an unknown method and a setting that it lacks.
+    pub fn load_bodies(
+        entry: &EngineEntry,
+        scene: &Scene,
+        settings: &Settings,
+    ) -> Result<Self, LoadError> {
+        let method = Method::of(entry, settings)?;
+        check_settings(method.name(), settings)?;
+        let world = load_bodies(entry, scene, method)?;
         Ok(Self {
             method,
             rules: rules_for(scene, settings),
@@ -68,23 +80,47 @@ impl CollisionEngine {
         })
     }
 
-    /// Runs a part of the step and notes how long it took.
-    fn pass<T>(&mut self, name: &'static str, part: impl FnOnce(&mut Self) -> T) -> T {
-        let start = Instant::now();
-        let out = part(self);
-        let time: Duration = start.elapsed();
-        self.times.push(PassTime { name, time });
-        out
+    /// The method in use.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        self.method
+    }
+
+    /// What the corrected method may choose.
+    #[must_use]
+    pub fn rules(&self) -> Rules {
+        self.rules
+    }
+
+    /// The bodies, by the scene's index.
+    #[must_use]
+    pub fn bodies(&self) -> &[Shared<RigidBody>] {
+        &self.world.bodies
+    }
+
+    /// Pairs of bodies that pass through each other, since a joint connects them.
+    pub fn ignore_pairs(&mut self, pairs: impl IntoIterator<Item = (usize, usize)>) {
+        self.tree.ignore_pairs(pairs);
+    }
+
+    /// Every body advances by `dt` seconds.
+    pub fn update_objects(&mut self, dt: f32) {
+        self.world.level.update_objects(dt);
+    }
+
+    /// Every body asks its forces.
+    pub fn gather_objects(&mut self) {
+        self.world.level.gather_objects();
     }
 
     /// The pairs that may touch.
-    fn find_pairs(&mut self, dt: f32) {
+    pub fn find_pairs(&mut self, dt: f32) {
         let margins = self.margins(dt);
         self.tree.find_pairs(&self.world.bodies, margins);
     }
 
     /// Where they do.
-    fn find_contacts(&mut self, dt: f32) {
+    pub fn find_contacts(&mut self, dt: f32) {
         let margins = self.margins(dt);
         self.tree
             .find_contacts(&self.world.bodies, margins, &mut self.contacts);
@@ -99,20 +135,21 @@ impl CollisionEngine {
     }
 
     // ANCHOR: resolve
-    /// Parts what overlaps, as the method says.
-    fn resolve(&mut self, dt: f32) {
+    /// Parts what overlaps, as the method says. The printed one knows of no links.
+    pub fn resolve(&mut self, links: &mut impl Links, dt: f32) {
         let bodies = &self.world.bodies;
         match self.method {
             Method::Printed => resolve_printed(bodies, &mut self.contacts),
             Method::Corrected => {
-                self.impacts_left += resolve_corrected(bodies, &mut self.contacts, self.rules, dt);
+                self.impacts_left +=
+                    resolve_corrected(bodies, &mut self.contacts, links, self.rules, dt);
             }
         }
     }
     // ANCHOR_END: resolve
 
     /// Writes the bodies' places into the scene graph.
-    fn place_nodes(&mut self) {
+    pub fn place_nodes(&mut self) {
         let graph = &mut self.world.level.graph;
         for body in &self.world.bodies {
             body.borrow().place_node(graph);
@@ -154,13 +191,20 @@ impl Engine for CollisionEngine {
 
     // ANCHOR: step
     fn step(&mut self, dt: f32) {
-        self.times.clear();
-        self.pass("objects update", |e| e.world.level.update_objects(dt));
-        self.pass("objects gather", |e| e.world.level.gather_objects());
-        self.pass("broad phase", |e| e.find_pairs(dt));
-        self.pass("narrow phase", |e| e.find_contacts(dt));
-        self.pass("resolve", |e| e.resolve(dt));
-        self.pass("scene graph", Self::place_nodes);
+        let mut clock = PassClock::start();
+        self.update_objects(dt);
+        clock.note("objects update");
+        self.gather_objects();
+        clock.note("objects gather");
+        self.find_pairs(dt);
+        clock.note("broad phase");
+        self.find_contacts(dt);
+        clock.note("narrow phase");
+        self.resolve(&mut NoLinks, dt);
+        clock.note("resolve");
+        self.place_nodes();
+        clock.note("scene graph");
+        self.times = clock.times();
     }
     // ANCHOR_END: step
 
@@ -231,22 +275,32 @@ impl Engine for CollisionEngine {
         )
     }
 
-    fn layer(&self, layer: Layer) -> Vec<Line> {
+    fn pairs(&self) -> &[(usize, usize)] {
+        self.tree.pairs()
+    }
+
+    fn layer(&self, layer: Layer) -> Drawing {
+        let bodies = &self.world.bodies;
         match layer {
-            Layer::Aabbs => layers::boxes(&self.tree),
+            Layer::Aabbs => layers::boxes(&self.tree, bodies),
             Layer::Cells => layers::cells(&self.tree),
-            Layer::Contacts => layers::contacts(&self.contacts),
-            Layer::Frames => layers::frames(&self.world.bodies),
+            Layer::Contacts => layers::contacts(&self.contacts, bodies),
+            Layer::Frames => layers::frames(bodies),
+            Layer::JointFrames | Layer::Limits => Drawing::default(),
         }
     }
 
     fn layers(&self) -> &'static [Layer] {
-        &Layer::ALL
+        &[Layer::Aabbs, Layer::Cells, Layer::Contacts, Layer::Frames]
+    }
+
+    fn dissect(&self, a: usize, b: usize, step: usize) -> Option<Dissection> {
+        let (a, b) = (self.world.bodies.get(a)?, self.world.bodies.get(b)?);
+        Some(dissect(&placed(&a.borrow()), &placed(&b.borrow()), step))
     }
 
     fn add_body(&mut self, body: &Body, _dt: f32) -> Added {
         let index = self.world.add(&self.scene, body, self.method);
-        check_shapes(&self.scene, &self.world.bodies)?;
         Ok(index)
     }
 

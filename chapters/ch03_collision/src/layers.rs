@@ -1,96 +1,194 @@
-//! What the overlay can draw of the collision tree: lines in the world.
+//! What the overlay can draw of the collision tree and its contacts.
 
-use ch00_scenes::Line;
+use ch00_scenes::{Drawing, Rgb, palette};
 use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
 use glam::Vec3;
 
-use crate::aabb::Aabb;
 use crate::{CollisionTree, Contact};
 
-const BOX: Vec3 = Vec3::new(0.45, 0.75, 0.95);
-const NORMAL: Vec3 = Vec3::new(0.95, 0.55, 0.15);
-const CROSS: Vec3 = Vec3::new(0.95, 0.85, 0.25);
-/// Colours of the KD-tree's levels, from the root down.
-const LEVELS: [Vec3; 4] = [
-    Vec3::new(0.80, 0.47, 0.65),
-    Vec3::new(0.34, 0.71, 0.91),
-    Vec3::new(0.0, 0.62, 0.45),
-    Vec3::new(0.94, 0.89, 0.26),
+const NORMAL: Rgb = palette::BLUE;
+const IMPULSE: Rgb = palette::VERMILLION;
+const FRICTION: Rgb = palette::PURPLE;
+const GAP: Rgb = palette::GREY;
+
+/// Colours of the KD-tree's levels, from the root down: a ramp from dark to light, so that order
+/// shows without its key.
+const LEVELS: [Rgb; 5] = [
+    [0.267, 0.005, 0.329],
+    [0.231, 0.322, 0.545],
+    [0.129, 0.569, 0.549],
+    [0.369, 0.789, 0.384],
+    [0.800, 0.860, 0.180],
 ];
 
-/// The bounding boxes of the bodies that have one.
-pub fn boxes(tree: &CollisionTree) -> Vec<Line> {
-    let held_or_real = tree.boxes().iter().filter(|aabb| aabb.min.is_finite());
-    held_or_real.flat_map(|aabb| edges(aabb, BOX)).collect()
+/// The bounding boxes of the bodies that have one: those that overlap another one stand out.
+pub fn boxes(tree: &CollisionTree, bodies: &[Shared<RigidBody>]) -> Drawing {
+    let mut drawing = Drawing::default();
+    let mut is_paired = vec![false; tree.boxes().len()];
+    for &(a, b) in tree.pairs() {
+        is_paired[a] = true;
+        is_paired[b] = true;
+    }
+    for (i, aabb) in tree.boxes().iter().enumerate() {
+        if !aabb.min.is_finite() {
+            continue;
+        }
+        let (width, color) = match (bodies[i].borrow().is_static(), is_paired[i]) {
+            (true, _) => (1.0, palette::GREY),
+            (false, true) => (1.5, palette::VERMILLION),
+            (false, false) => (1.2, palette::BLUE),
+        };
+        drawing.cuboid(aabb.min, aabb.max, width, color);
+    }
+    drawing.explain(palette::BLUE, "box that meets no other");
+    drawing.explain(palette::VERMILLION, "box in a pair: the narrow phase looks");
+    drawing.explain(palette::GREY, "box of a body that can't move");
+    drawing
 }
 
 /// The cells of the KD-tree, a colour a level.
-pub fn cells(tree: &CollisionTree) -> Vec<Line> {
+pub fn cells(tree: &CollisionTree) -> Drawing {
+    let mut drawing = Drawing::default();
     let cells = tree.cells();
-    let finite = cells.iter().filter(|(cell, _)| cell.min.is_finite());
-    finite
-        .flat_map(|(cell, depth)| edges(cell, LEVELS[*depth as usize % LEVELS.len()]))
-        .collect()
-}
-
-/// A cross at each contact, and its normal, longer for a larger impulse.
-pub fn contacts(contacts: &[Contact]) -> Vec<Line> {
-    let mut lines = Vec::new();
-    for contact in contacts {
-        let (u, v) = contact.normal.any_orthonormal_pair();
-        for arm in [u, v] {
-            lines.push(line(
-                contact.point - 0.04 * arm,
-                contact.point + 0.04 * arm,
-                CROSS,
-            ));
-        }
-        let length = 0.1 + 0.05 * contact.impulse.length().sqrt();
-        lines.push(line(
-            contact.point,
-            contact.point + contact.normal * length,
-            NORMAL,
-        ));
+    let deepest = cells.iter().map(|(_, depth)| *depth).max().unwrap_or(0);
+    for (cell, depth) in cells.iter().filter(|(cell, _)| cell.min.is_finite()) {
+        let width = 1.0 + 1.6 / (1.0 + *depth as f32);
+        drawing.cuboid(cell.min, cell.max, width, level_color(*depth, deepest));
     }
-    lines
+    for depth in 0..=deepest {
+        let count = cells.iter().filter(|cell| cell.1 == depth).count();
+        let text = format!("level {depth}: {count} cells");
+        drawing.explain(level_color(depth, deepest), text);
+    }
+    drawing
 }
 
-/// The axes of each body: x red, y green, z blue.
-pub fn frames(bodies: &[Shared<RigidBody>]) -> Vec<Line> {
-    let mut lines = Vec::new();
+/// Of a level in a tree with so many below the root.
+fn level_color(depth: u32, deepest: u32) -> Rgb {
+    let place = (LEVELS.len() - 1) as f32 * depth as f32 / deepest.max(1) as f32;
+    let i = (place as usize).min(LEVELS.len() - 2);
+    let (from, to) = (Vec3::from(LEVELS[i]), Vec3::from(LEVELS[i + 1]));
+    from.lerp(to, place - i as f32).to_array()
+}
+
+/// How large contacts are drawn: the same from step to step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Scale {
+    /// Mean radius of the bodies that can move, m.
+    radius: f32,
+    /// What carries a body of mean mass for 1/60 s, N s: an arrow as long as `radius`.
+    impulse: f32,
+}
+
+/// An arrow is at most as long as so many mean radii.
+const LONGEST: f32 = 6.0;
+
+impl Scale {
+    fn of(bodies: &[Shared<RigidBody>]) -> Self {
+        let (mut radius, mut mass, mut count) = (0.0, 0.0, 0.0_f32);
+        for body in bodies.iter().filter(|body| !body.borrow().is_static()) {
+            radius += body.borrow().collider().bounding_radius();
+            mass += body.borrow().mass();
+            count += 1.0;
+        }
+        Self {
+            radius: radius / count.max(1.0),
+            impulse: (mass / count.max(1.0) * 9.81 / 60.0).max(1e-9),
+        }
+    }
+
+    /// Length and width both grow with the root, so that the area that an arrow covers shows
+    /// the impulse.
+    fn arrow(self, drawing: &mut Drawing, from: Vec3, impulse: Vec3, color: Rgb) {
+        let size = (impulse.length() / self.impulse).sqrt().min(LONGEST);
+        let length = size * self.radius;
+        if size > 0.05 {
+            let head = (0.4 * length).min(0.45 * self.radius);
+            let to = from + impulse.normalize() * length;
+            drawing.arrow_with_head(from, to, head, (2.2 * size).clamp(1.5, 5.0), color);
+        }
+    }
+}
+
+/// A disc at each contact, or a ring where there is still a gap; its normal; the impulse along
+/// the normal and the one across it, which is friction. All are drawn as the body that can move
+/// gets them; where both can, as body 1 does.
+pub fn contacts(contacts: &[Contact], bodies: &[Shared<RigidBody>]) -> Drawing {
+    let mut drawing = Drawing::default();
+    let scale = Scale::of(bodies);
+    let spot = 0.16 * scale.radius;
+    for contact in contacts {
+        let sign = if bodies[contact.a].borrow().is_static() {
+            -1.0
+        } else {
+            1.0
+        };
+        let (point, normal) = (contact.point, sign * contact.normal);
+        let along = sign * contact.impulse.project_onto_normalized(contact.normal);
+        let across = sign * contact.impulse - along;
+        if contact.depth >= 0.0 {
+            drawing.disc(point, normal, spot, NORMAL, 0.45);
+            drawing.ring(point, normal, spot, 1.5, NORMAL);
+        } else {
+            drawing.ring(point, normal, spot, 1.2, GAP);
+        }
+        if contact.depth >= 0.0 || contact.impulse != Vec3::ZERO {
+            let tip = point + normal * (0.6 * scale.radius);
+            drawing.arrow_with_head(point, tip, 0.12 * scale.radius, 1.2, NORMAL);
+        }
+        scale.arrow(&mut drawing, point, along, IMPULSE);
+        scale.arrow(&mut drawing, point, across, FRICTION);
+    }
+    drawing.explain(NORMAL, "contact and its normal; a grey ring while there is a gap");
+    let unit = scale.impulse;
+    drawing.explain(
+        IMPULSE,
+        format!("impulse: {unit:.2} N s are as long as a body's mean radius, four times that twice"),
+    );
+    drawing.explain(FRICTION, "the part of it that is friction");
+    drawing
+}
+
+/// The axes of each body that can move.
+pub fn frames(bodies: &[Shared<RigidBody>]) -> Drawing {
+    let mut drawing = Drawing::default();
     for body in bodies.iter().filter(|body| !body.borrow().is_static()) {
         let body = body.borrow();
         let length = 1.2 * body.collider().bounding_radius();
-        for axis in Vec3::AXES {
-            let colour = 0.25 + 0.7 * axis;
-            let tip = body.position() + body.orientation() * axis * length;
-            lines.push(line(body.position(), tip, colour));
-        }
+        drawing.frame(body.position(), body.orientation(), length, 1.8);
     }
-    lines
+    drawing
 }
 
-/// The twelve edges of a box.
-fn edges(aabb: &Aabb, colour: Vec3) -> impl Iterator<Item = Line> + use<> {
-    let (min, size) = (aabb.min, aabb.size());
-    (0..3).flat_map(move |axis| {
-        let along = Vec3::AXES[axis] * size;
-        let others = [
-            Vec3::AXES[(axis + 1) % 3] * size,
-            Vec3::AXES[(axis + 2) % 3] * size,
-        ];
-        [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)].map(|(s, t)| {
-            let from = min + s * others[0] + t * others[1];
-            line(from, from + along, colour)
-        })
-    })
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn line(from: Vec3, to: Vec3, colour: Vec3) -> Line {
-    Line {
-        from: from.to_array(),
-        to: to.to_array(),
-        color: colour.to_array(),
+    #[test]
+    fn levels_go_from_the_darkest_to_the_lightest() {
+        assert_eq!(level_color(0, 7), LEVELS[0]);
+        let last = Vec3::from(level_color(7, 7));
+        assert!(last.distance(LEVELS[4].into()) < 1e-6);
+        assert_eq!(level_color(0, 0), LEVELS[0]);
+        let brightness = |depth| Vec3::from(level_color(depth, 7)).element_sum();
+        assert!((0..7).all(|depth| brightness(depth) < brightness(depth + 1)));
+    }
+
+    #[test]
+    fn an_arrows_area_grows_with_the_impulse_up_to_a_limit() {
+        let scale = Scale {
+            radius: 0.5,
+            impulse: 2.0,
+        };
+        let length = |impulse: f32| {
+            let mut drawing = Drawing::default();
+            scale.arrow(&mut drawing, Vec3::ZERO, impulse * Vec3::X, IMPULSE);
+            drawing.faces.iter().map(|face| face.corners[2][0]).fold(0.0, f32::max)
+        };
+        assert!((length(2.0) - 0.5).abs() < 1e-6);
+        assert!((length(8.0) - 1.0).abs() < 1e-6);
+        assert!((length(1e9) - 3.0).abs() < 1e-6);
+        assert_eq!(length(0.0), 0.0);
     }
 }

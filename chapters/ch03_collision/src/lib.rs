@@ -5,16 +5,22 @@
 //! chapter 5 can call them over columns.
 
 pub mod aabb;
+pub mod brute_force;
 mod checks;
 mod collision_tree;
 mod contact;
+mod dissect;
 mod engine;
+pub mod grid;
 pub mod kd_tree;
-mod layers;
+pub mod layers;
 pub mod narrow;
+mod pass_clock;
 mod resolve;
 
-pub use collision_tree::{CollisionTree, Margins};
+pub use collision_tree::{CollisionTree, Margins, placed};
 pub use contact::Contact;
+pub use dissect::dissect;
 pub use engine::{CollisionEngine, ENGINE};
-pub use resolve::{DEFAULT_SWEEPS, Rules, resolve_corrected, resolve_printed};
+pub use pass_clock::PassClock;
+pub use resolve::{DEFAULT_SWEEPS, Links, NoLinks, Rules, resolve_corrected, resolve_printed};

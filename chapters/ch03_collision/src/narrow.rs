@@ -1,14 +1,32 @@
 //! The narrow phase: where exactly two shapes touch. Pure functions over shapes and poses, a
 //! file a pair of shapes. Report 7, narrow step.
 
+mod capsule_capsule;
+pub mod clip;
+pub mod epa;
+pub mod features;
+pub mod gjk;
+pub mod list;
+mod manifold;
+pub mod segment;
+pub mod shortest_way;
+pub mod simplex;
 mod sphere_box;
+mod sphere_capsule;
+mod sphere_cylinder;
 mod sphere_sphere;
+pub mod support_point;
 
+pub use capsule_capsule::capsule_capsule;
+pub use manifold::{convex_convex, manifold};
 pub use sphere_box::sphere_box;
+pub use sphere_capsule::sphere_capsule;
+pub use sphere_cylinder::sphere_cylinder;
 pub use sphere_sphere::sphere_sphere;
 
-use ch00_maths::f32::shape::Shape;
+use ch00_maths::f32::shape::Shape::{self, Box, Capsule, Cylinder, Sphere};
 use glam::{Quat, Vec3};
+use list::List;
 
 /// Points that a touch has at most: four corners hold a face on a face.
 pub const MOST_SPOTS: usize = 4;
@@ -19,8 +37,9 @@ pub const MOST_SPOTS: usize = 4;
 pub struct Touch {
     /// Unit vector from the second shape to the first: the shortest way apart.
     pub normal: Vec3,
-    spots: [Spot; MOST_SPOTS],
-    count: usize,
+    /// False if EPA ran out of room before it was sure: a slightly shorter way may exist.
+    pub converged: bool,
+    spots: List<Spot, MOST_SPOTS>,
 }
 
 /// One point of a touch.
@@ -37,41 +56,34 @@ pub struct Spot {
 // ANCHOR_END: touch
 
 impl Touch {
-    /// Without a point yet.
+    /// In up to [`MOST_SPOTS`] points.
+    ///
+    /// # Panics
+    /// If there are more.
     #[must_use]
-    pub fn empty(normal: Vec3) -> Self {
+    pub fn new(normal: Vec3, spots: &[Spot]) -> Self {
         Self {
             normal,
-            spots: [Spot::default(); MOST_SPOTS],
-            count: 0,
+            converged: true,
+            spots: List::of(spots),
         }
     }
 
     /// In one point, which round shapes have: feature 0.
     #[must_use]
     pub fn single(normal: Vec3, depth: f32, point: Vec3) -> Self {
-        let mut touch = Self::empty(normal);
-        touch.push(Spot {
+        let spot = Spot {
             point,
             depth,
             feature: 0,
-        });
-        touch
-    }
-
-    /// Adds a point.
-    ///
-    /// # Panics
-    /// If it has [`MOST_SPOTS`] already.
-    pub fn push(&mut self, spot: Spot) {
-        self.spots[self.count] = spot;
-        self.count += 1;
+        };
+        Self::new(normal, &[spot])
     }
 
     /// Its points, at least one where shapes touch.
     #[must_use]
     pub fn spots(&self) -> &[Spot] {
-        &self.spots[..self.count]
+        &self.spots
     }
 
     /// The depth of its deepest point, m.
@@ -79,6 +91,13 @@ impl Touch {
     pub fn depth(&self) -> f32 {
         let depths = self.spots().iter().map(|spot| spot.depth);
         depths.fold(f32::NEG_INFINITY, f32::max)
+    }
+
+    /// Moves its points.
+    fn move_by(&mut self, way: Vec3) {
+        for spot in self.spots.iter_mut() {
+            spot.point += way;
+        }
     }
 
     /// The same seen from the second shape.
@@ -104,33 +123,39 @@ pub struct Placed<'a> {
     pub p_before: Vec3,
 }
 
-/// Whether [`touch`] knows this pair of shapes, in either order.
-#[must_use]
-pub fn is_known(a: &Shape, b: &Shape) -> bool {
-    matches!(
-        (a, b),
-        (
-            Shape::Sphere { .. },
-            Shape::Sphere { .. } | Shape::Box { .. }
-        ) | (Shape::Box { .. }, Shape::Sphere { .. })
-    )
-}
-
 // ANCHOR: dispatch
 /// Where `a` and `b` touch or are at most `margin`, m, from touching; the normal points from b to a.
 #[must_use]
 pub fn touch(a: &Placed, b: &Placed, margin: f32) -> Option<Touch> {
-    match (a.shape, b.shape) {
-        (Shape::Sphere { radius: r1 }, Shape::Sphere { radius: r2 }) => {
-            sphere_sphere(a.p, *r1, b.p, *r2, margin)
-        }
-        (Shape::Sphere { radius }, Shape::Box { half_extents }) => {
-            sphere_box(a, *radius, b, *half_extents, margin)
-        }
-        (Shape::Box { half_extents }, Shape::Sphere { radius }) => {
-            sphere_box(b, *radius, a, *half_extents, margin).map(Touch::flipped)
-        }
-        _ => None,
+    match (*a.shape, *b.shape) {
+        (Sphere { radius: r1 }, Sphere { radius: r2 }) => sphere_sphere(a.p, r1, b.p, r2, margin),
+        (Sphere { radius }, Box { half_extents }) => sphere_box(a, radius, b, half_extents, margin),
+        (
+            Sphere { radius: r1 },
+            Capsule {
+                radius,
+                half_height,
+            },
+        ) => sphere_capsule(a.p, r1, b, radius, half_height, margin),
+        (
+            Sphere { radius: r1 },
+            Cylinder {
+                radius,
+                half_height,
+            },
+        ) => sphere_cylinder(a.p, r1, b, radius, half_height, margin),
+        (_, Sphere { .. }) => touch(b, a, margin).map(Touch::flipped),
+        (
+            Capsule {
+                radius: r1,
+                half_height: h1,
+            },
+            Capsule {
+                radius: r2,
+                half_height: h2,
+            },
+        ) => capsule_capsule(a, (r1, h1), b, (r2, h2), margin),
+        _ => convex_convex(a, b, margin),
     }
 }
 // ANCHOR_END: dispatch

@@ -2,9 +2,11 @@
 
 mod constraint;
 mod corrected;
+mod links;
 mod printed;
 
 pub use corrected::resolve_corrected;
+pub use links::{Links, NoLinks};
 pub use printed::resolve_printed;
 
 use crate::Margins;
@@ -12,16 +14,18 @@ use crate::Margins;
 /// What the corrected resolution may choose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rules {
-    /// Sweeps over the contacts, for pushing, for impacts and for resting contact each.
+    /// Sweeps over the contacts at most, for pushing, for impacts and for resting contact each.
     pub sweeps: u32,
     /// Impacts slower than this don't bounce, m/s.
     pub restitution_threshold: f32,
     /// Depth that is left alone, m: bodies at rest stay in touch.
     pub slop: f32,
+    /// Sweeps end when none changes a relative velocity by more than this, m/s.
+    pub still: f32,
 }
 
-/// Sweeps unless `--sweeps` says otherwise.
-pub const DEFAULT_SWEEPS: u32 = 8;
+/// Sweeps at most, unless `--sweeps` says otherwise.
+pub const DEFAULT_SWEEPS: u32 = 16;
 
 /// The furthest that bodies that move may push each other in a step, m.
 pub const LONGEST_SHIFT: f32 = 0.1;
@@ -30,12 +34,15 @@ impl Rules {
     // ANCHOR: margins
     /// What must be known to resolve a step of `dt` seconds: pairs that could meet in the next step
     /// without bouncing, and obstacles into which a push could shift a body.
+    ///
+    /// Looking ahead has its limit: what moves further than this in a step can still pass through.
     #[must_use]
     pub fn margins(&self, dt: f32) -> Margins {
         let moving = self.restitution_threshold * dt + self.slop;
         Margins {
             moving,
             obstacle: moving.max(LONGEST_SHIFT),
+            ahead: LONGEST_SHIFT,
         }
     }
     // ANCHOR_END: margins
@@ -47,6 +54,7 @@ impl Default for Rules {
             sweeps: DEFAULT_SWEEPS,
             restitution_threshold: 0.5,
             slop: 0.001,
+            still: 1e-4,
         }
     }
 }

@@ -1,66 +1,288 @@
-//! The built-in scenes, one file each.
+//! The built-in scenes, one file each, and the list of them.
 
 mod balls;
 mod bounce;
+mod chain;
+mod cradle;
+mod crowd;
+mod door;
+mod heavy_on_light;
+mod incline;
 mod magnets;
+mod mixed;
+mod oblique;
 mod orrery;
 mod pair;
+mod parts;
+pub mod ragdolls;
+mod slide;
+mod slip_to_roll;
+mod slopes;
+mod stack;
 mod tops;
+mod tunnelling;
 
 use crate::{Scene, SceneError};
 
-/// The names of the built-in scenes, in the order in which `--help` and the overlay list
-/// them.
-pub const NAMES: &[&str] = &[
-    "balls",
-    "pair",
-    "bounce",
-    "bounce_half",
-    "orrery",
-    "tops",
-    "magnets",
+/// What `--count` and `--seed` do in a scene that scales.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Scaling {
+    /// What `--count` counts, in the plural, such as `balls`.
+    pub counts: &'static str,
+    /// How many there are unless the user says otherwise.
+    pub default: u64,
+    /// The fewest.
+    pub least: u64,
+    /// The most.
+    pub most: u64,
+    /// Whether anything in the scene is random, so that `--seed` (1 unless given) matters.
+    pub seeded: bool,
+}
+
+/// A line of the list: a scene's name, what it shows in one sentence, and how it is built.
+struct Entry {
+    name: &'static str,
+    about: &'static str,
+    build: Build,
+}
+
+enum Build {
+    /// Its bodies are fixed.
+    Fixed(fn() -> Scene),
+    /// It depends on a count within these limits, and on a seed.
+    Scaled(Scaling, fn(u64, u64) -> Scene),
+}
+
+const fn fixed(name: &'static str, about: &'static str, build: fn() -> Scene) -> Entry {
+    Entry {
+        name,
+        about,
+        build: Build::Fixed(build),
+    }
+}
+
+const fn scaled(
+    name: &'static str,
+    about: &'static str,
+    scaling: Scaling,
+    build: fn(u64, u64) -> Scene,
+) -> Entry {
+    Entry {
+        name,
+        about,
+        build: Build::Scaled(scaling, build),
+    }
+}
+
+/// `default` of what is counted, from `least` to `most` of them; nothing is random.
+const fn count(counts: &'static str, default: u64, [least, most]: [u64; 2]) -> Scaling {
+    Scaling {
+        counts,
+        default,
+        least,
+        most,
+        seeded: false,
+    }
+}
+
+/// The same where chance has a part.
+const fn seeded(counts: &'static str, default: u64, range: [u64; 2]) -> Scaling {
+    Scaling {
+        seeded: true,
+        ..count(counts, default, range)
+    }
+}
+
+const LIST: &[Entry] = &[
+    scaled(
+        "balls",
+        "balls of random size and speed fall into an open box (report, Table 1)",
+        seeded("balls", 60, [0, 100_000]),
+        balls::build,
+    ),
+    fixed(
+        "pair",
+        "two balls of 2 kg and 0.7 kg meet off-centre in free space",
+        pair::build,
+    ),
+    fixed(
+        "bounce",
+        "one ball falls 4.9 m and bounces without loss",
+        || bounce::build("bounce", 1.0),
+    ),
+    fixed(
+        "bounce_half",
+        "one ball falls 4.9 m and keeps half its speed at each bounce",
+        || bounce::build("bounce_half", 0.5),
+    ),
+    fixed(
+        "orrery",
+        "a sun, planets, moons and a moon's moon: nested nodes",
+        orrery::build,
+    ),
+    fixed(
+        "tops",
+        "a heavy top that precesses, and free tops in gimbals",
+        tops::build,
+    ),
+    fixed(
+        "magnets",
+        "bar magnets that turn, attract and swing about each other",
+        magnets::build,
+    ),
+    scaled(
+        "mixed",
+        "balls, boxes, capsules and cylinders fall into an open box",
+        seeded("bodies", 100, [0, 100_000]),
+        mixed::build,
+    ),
+    scaled(
+        "stack",
+        "a tower of equal cubes that should stand still",
+        count("cubes", 5, [1, 100]),
+        |cubes, _| stack::build(cubes),
+    ),
+    scaled(
+        "heavy_on_light",
+        "a heavy cube rests on a cube of 1 kg",
+        count("times the mass", 100, [1, 1_000_000]),
+        |ratio, _| heavy_on_light::build(ratio),
+    ),
+    fixed(
+        "slip_to_roll",
+        "a ball that slides at 4 m/s begins to roll, and keeps 5/7 of its speed",
+        slip_to_roll::build,
+    ),
+    fixed(
+        "slopes",
+        "a ball that rolls down 20 degrees and one that slips down 60",
+        slopes::build,
+    ),
+    fixed(
+        "incline",
+        "four boxes on slopes about the angle of friction: two stay, two slip",
+        incline::build,
+    ),
+    fixed(
+        "slide",
+        "thirteen boxes slide to rest in different directions, all equally far",
+        slide::build,
+    ),
+    fixed(
+        "oblique",
+        "pairs of balls that collide with friction: one sticks, one slips, one is head-on",
+        oblique::build,
+    ),
+    scaled(
+        "tunnelling",
+        "balls of 9 to 300 m/s fly at a thin wall, and some pass through it unseen",
+        count("balls of each speed", 20, [1, 1000]),
+        |balls, _| tunnelling::build(balls),
+    ),
+    scaled(
+        "cradle",
+        "Newton's cradle: as many balls leave as came in",
+        count("balls drawn aside", 1, [1, 4]),
+        |aside, _| cradle::build(aside),
+    ),
+    scaled(
+        "chain",
+        "a chain with a heavy ball at its end, released from the horizontal",
+        count("links", 40, [1, 1000]),
+        |links, _| chain::build("chain", links, chain::Start::Horizontal),
+    ),
+    scaled(
+        "chain_hanging",
+        "the same chain and ball, hanging at rest",
+        count("links", 40, [1, 1000]),
+        |links, _| chain::build("chain_hanging", links, chain::Start::Hanging),
+    ),
+    fixed(
+        "door",
+        "a door on a hinge, between two stops, and balls that hit it",
+        || door::build("door", door::Hung::OnHinge),
+    ),
+    fixed(
+        "door_pins",
+        "the same door on two pins, one of which limits the twist",
+        || door::build("door_pins", door::Hung::OnPins),
+    ),
+    scaled(
+        "ragdolls",
+        "ragdolls stacked above an open box fall into it (report, Table 2)",
+        seeded("ragdolls", 5, [0, 1000]),
+        ragdolls::build,
+    ),
 ];
 
-/// Bodies that `balls` has at most.
-pub const MOST_BALLS: u64 = 100_000;
+/// The names of the built-in scenes, in the order in which `--help` and the overlay list
+/// them.
+pub const NAMES: &[&str] = &names();
 
-/// Builds the scene of this name. `count` and `seed` are for scenes that scale (`balls`:
-/// 60 balls and seed 1 unless given).
+const fn names() -> [&'static str; LIST.len()] {
+    let mut names = [""; LIST.len()];
+    let mut i = 0;
+    while i < LIST.len() {
+        names[i] = LIST[i].name;
+        i += 1;
+    }
+    names
+}
+
+/// Builds the scene of this name. `count` and `seed` are for scenes that scale
+/// ([`scaling`]).
 ///
 /// # Errors
 /// [`SceneError::Unknown`] lists the known names; [`SceneError::Count`] tells the range;
 /// [`SceneError::Flag`] where the scene has no use for `count` or `seed`.
 pub fn build(name: &str, count: Option<u64>, seed: Option<u64>) -> Result<Scene, SceneError> {
-    if name == "balls" {
-        return balls::build(count.unwrap_or(60), seed.unwrap_or(1));
-    }
-    let scene = match name {
-        "pair" => pair::build(),
-        "bounce" => bounce::build("bounce", 1.0),
-        "bounce_half" => bounce::build("bounce_half", 0.5),
-        "orrery" => orrery::build(),
-        "tops" => tops::build(),
-        "magnets" => magnets::build(),
-        _ => return Err(unknown(name)),
+    let entry = find(name).ok_or_else(|| unknown(name))?;
+    let refused = |flag, is_for: fn(Scaling) -> bool| SceneError::Flag {
+        scene: name.to_owned(),
+        flag,
+        why: format!("these scenes have one: {}", names_of(is_for)),
     };
-    refuse(&scene.name, "count", count.is_some())?;
-    refuse(&scene.name, "seed", seed.is_some())?;
-    Ok(scene)
+    match entry.build {
+        Build::Fixed(_) if count.is_some() => Err(refused("count", |_| true)),
+        Build::Fixed(_) | Build::Scaled(Scaling { seeded: false, .. }, _) if seed.is_some() => {
+            Err(refused("seed", |scaling| scaling.seeded))
+        }
+        Build::Fixed(build) => Ok(build()),
+        Build::Scaled(scaling, build) => {
+            let count = count.unwrap_or(scaling.default);
+            if (scaling.least..=scaling.most).contains(&count) {
+                Ok(build(count, seed.unwrap_or(1)))
+            } else {
+                Err(SceneError::Count {
+                    scene: entry.name,
+                    count,
+                    least: scaling.least,
+                    most: scaling.most,
+                    counts: scaling.counts,
+                })
+            }
+        }
+    }
 }
 
 /// What the scene of this name shows, in one sentence; `None` for an unknown name.
 #[must_use]
 pub fn about(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "balls" => "balls of random size and speed fall into an open box (report, Table 1)",
-        "pair" => "two balls of 2 kg and 0.7 kg meet off-centre in free space",
-        "bounce" => "one ball falls 4.9 m and bounces without loss",
-        "bounce_half" => "one ball falls 4.9 m and keeps half its speed at each bounce",
-        "orrery" => "a sun, planets, moons and a moon's moon: nested nodes",
-        "tops" => "a heavy top that precesses, and free tops in gimbals",
-        "magnets" => "bar magnets that turn, attract and swing about each other",
-        _ => return None,
-    })
+    find(name).map(|entry| entry.about)
+}
+
+/// How the scene of this name scales; `None` if its bodies are fixed, and for an unknown
+/// name.
+#[must_use]
+pub fn scaling(name: &str) -> Option<Scaling> {
+    match find(name)?.build {
+        Build::Fixed(_) => None,
+        Build::Scaled(scaling, _) => Some(scaling),
+    }
+}
+
+fn find(name: &str) -> Option<&'static Entry> {
+    LIST.iter().find(|entry| entry.name == name)
 }
 
 fn unknown(name: &str) -> SceneError {
@@ -70,15 +292,11 @@ fn unknown(name: &str) -> SceneError {
     }
 }
 
-fn refuse(scene: &str, flag: &'static str, given: bool) -> Result<(), SceneError> {
-    if !given {
-        return Ok(());
-    }
-    Err(SceneError::Flag {
-        scene: scene.to_owned(),
-        flag,
-        why: "its bodies are fixed; only `balls` scales",
-    })
+/// The names of the scenes that scale as `is_meant` says, separated by commas.
+fn names_of(is_meant: fn(Scaling) -> bool) -> String {
+    let meant = |name: &&str| scaling(name).is_some_and(is_meant);
+    let names: Vec<_> = NAMES.iter().copied().filter(meant).collect();
+    names.join(", ")
 }
 
 #[cfg(test)]
@@ -95,8 +313,23 @@ mod tests {
     }
 
     #[test]
-    fn every_name_says_what_it_shows() {
-        assert!(NAMES.iter().all(|name| about(name).is_some()));
+    fn every_scene_that_scales_is_valid_from_its_fewest_to_a_thousand() {
+        for name in NAMES {
+            let Some(scaling) = scaling(name) else {
+                continue;
+            };
+            for count in [scaling.least, scaling.most.min(1000)] {
+                let scene = build(name, Some(count), None).unwrap();
+                scene.validate(name).unwrap();
+            }
+        }
+    }
+
+    #[test]
+    fn no_two_scenes_have_one_name() {
+        for (i, name) in NAMES.iter().enumerate() {
+            assert!(!NAMES[..i].contains(name), "{name}");
+        }
     }
 
     #[test]
@@ -107,10 +340,39 @@ mod tests {
     }
 
     #[test]
-    fn a_scene_of_fixed_bodies_refuses_a_count_and_a_seed() {
+    fn a_scene_of_fixed_bodies_refuses_a_count_and_names_those_that_scale() {
         let message = build("pair", Some(3), None).unwrap_err().to_string();
-        assert!(message.contains("`pair` has no `--count`"), "{message}");
-        let message = build("tops", None, Some(3)).unwrap_err().to_string();
-        assert!(message.contains("`tops` has no `--seed`"), "{message}");
+        assert_eq!(
+            message,
+            "scene `pair` has no `--count`: these scenes have one: balls, mixed, stack, \
+             heavy_on_light, tunnelling, cradle, chain, chain_hanging, ragdolls"
+        );
+    }
+
+    #[test]
+    fn a_scene_without_chance_refuses_a_seed_and_names_those_with_it() {
+        for name in ["tops", "chain"] {
+            let message = build(name, None, Some(3)).unwrap_err().to_string();
+            assert_eq!(
+                message,
+                format!(
+                    "scene `{name}` has no `--seed`: these scenes have one: balls, mixed, ragdolls"
+                )
+            );
+        }
+    }
+
+    #[test]
+    fn a_count_out_of_range_is_refused_with_the_range_and_what_it_counts() {
+        for (name, count, expected) in [
+            ("balls", 100_001, "it can have 0 to 100000 balls"),
+            ("ragdolls", 1001, "it can have 0 to 1000 ragdolls"),
+            ("stack", 0, "it can have 1 to 100 cubes"),
+            ("chain", 0, "it can have 1 to 1000 links"),
+        ] {
+            let message = build(name, Some(count), None).unwrap_err().to_string();
+            let start = format!("scene `{name}`: --count {count}: ");
+            assert_eq!(message, start + expected);
+        }
     }
 }

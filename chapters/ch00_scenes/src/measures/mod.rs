@@ -1,21 +1,29 @@
-//! What judges a run: energy, momentum, penetration, joint separation, escapes; from
+//! What judges a run: energy, momentum, penetration, what is wrong with joints, escapes; from
 //! scene and state alone, in f64, in closed form. No engine shares this code.
 //!
-//! Sphere, capsule and box against sphere and capsule are measured here. Pairs of two
-//! boxes and pairs with a cylinder have no short closed form: they are counted in
-//! [`Penetration::pairs_not_measured`], and left to a general convex routine elsewhere.
+//! Spheres, capsules and boxes against each other are measured here. Pairs with a cylinder
+//! have no short closed form: they are counted in [`Penetration::pairs_not_measured`], unless
+//! whoever measures brings a routine for them ([`Penetration::with`]). With the feature
+//! `parry` there is one, `convex_depth`; the tests and the laboratory switch it on.
 
+mod boxes;
 mod broad;
 mod conserved;
+#[cfg(feature = "parry")]
+mod convex;
 mod depth;
 mod joints;
+mod limits;
 mod penetration;
 
 use crate::{Scene, State};
 
 pub use conserved::{Conserved, Reference, kinetic_energy_of, magnet_energy};
+#[cfg(feature = "parry")]
+pub use convex::convex_depth;
 pub use depth::{Placed, depth};
 pub use joints::joint_separation;
+pub use limits::{hinge_misalignment, limit_excess};
 pub use penetration::Penetration;
 
 /// Everything that is measured of a state.
@@ -28,6 +36,12 @@ pub struct Measures {
     /// The largest distance between points that a joint holds together, m; `None` in a
     /// scene without joints.
     pub joint_separation: Option<f64>,
+    /// The largest angle by which a joint is beyond its limits, rad; `None` in a scene
+    /// without such limits.
+    pub limit_excess: Option<f64>,
+    /// The largest angle between the two axes of a hinge, rad; `None` in a scene without
+    /// hinges.
+    pub hinge_misalignment: Option<f64>,
     /// Bodies outside the box; `None` where the scene's `meta` has no
     /// `inner_half_extents`.
     pub escaped: Option<usize>,
@@ -40,10 +54,25 @@ impl Measures {
     /// Measures `state`, which has the scene's bodies.
     #[must_use]
     pub fn of(scene: &Scene, state: &State) -> Self {
+        Self::with_penetration(scene, state, Penetration::of(scene, state))
+    }
+
+    /// The same with the overlaps of pairs that have no closed form.
+    #[cfg(feature = "parry")]
+    #[must_use]
+    pub fn of_all_pairs(scene: &Scene, state: &State) -> Self {
+        Self::with_penetration(scene, state, Penetration::of_all_pairs(scene, state))
+    }
+
+    /// The same where the overlaps have been measured already.
+    #[must_use]
+    pub fn with_penetration(scene: &Scene, state: &State, penetration: Penetration) -> Self {
         Self {
             conserved: Conserved::of(scene, state),
-            penetration: Penetration::of(scene, state),
+            penetration,
             joint_separation: joint_separation(scene, state),
+            limit_excess: limit_excess(scene, state),
+            hinge_misalignment: hinge_misalignment(scene, state),
             escaped: escaped(scene, state),
             not_finite: state.not_finite(),
         }

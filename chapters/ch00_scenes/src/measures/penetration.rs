@@ -16,15 +16,34 @@ pub struct Penetration {
     pub p99: f64,
     /// Pairs that overlap.
     pub pairs_touching: usize,
-    /// Pairs whose bounding boxes meet but which have no closed form: two boxes, or a
-    /// cylinder and anything.
+    /// Pairs whose bounding boxes meet but whose depth is not known: those with a cylinder,
+    /// unless a routine for them was given.
     pub pairs_not_measured: usize,
 }
 
 impl Penetration {
-    /// Measures `state`. Bodies with a number that is not finite are passed over.
+    /// Measures `state`: the pairs that have a closed form. Bodies with a number that is not
+    /// finite are passed over.
     #[must_use]
     pub fn of(scene: &Scene, state: &State) -> Self {
+        Self::with(scene, state, |_, _| None)
+    }
+
+    /// Measures all pairs of `state`, those without a closed form through parry3d.
+    #[cfg(feature = "parry")]
+    #[must_use]
+    pub fn of_all_pairs(scene: &Scene, state: &State) -> Self {
+        Self::with(scene, state, super::convex_depth)
+    }
+
+    /// Measures `state`; `others` gives the depth, m, of pairs that have no closed form, or
+    /// `None` where it has none either. It means what [`depth`] does.
+    #[must_use]
+    pub fn with(
+        scene: &Scene,
+        state: &State,
+        others: impl Fn(&Placed, &Placed) -> Option<f64>,
+    ) -> Self {
         let solids: Vec<_> = (0..state.len())
             .filter(|&i| state.position[i].is_finite() && state.orientation[i].is_finite())
             .map(|i| (i, Placed::new(scene, state, i)))
@@ -38,7 +57,8 @@ impl Penetration {
                 return;
             }
             let solid = |i| Placed::new(scene, state, i);
-            match depth(&solid(a), &solid(b)) {
+            let (a, b) = (solid(a), solid(b));
+            match depth(&a, &b).or_else(|| others(&a, &b)) {
                 Some(depth) if depth > 0.0 => depths.push(depth),
                 Some(_) => {}
                 None => not_measured += 1,
@@ -146,10 +166,50 @@ mod tests {
     }
 
     #[test]
-    fn two_boxes_that_touch_are_counted_as_not_measured() {
+    fn a_tower_of_boxes_is_measured() {
         let text = include_str!("../../../../tests/reference/scenes/half_metre_boxes_15.json");
-        let scene = Scene::from_json(text, "half_metre_boxes_15.json").unwrap();
-        assert_eq!(start(&scene).pairs_not_measured, 15);
+        let mut scene = Scene::from_json(text, "half_metre_boxes_15.json").unwrap();
+        assert!(start(&scene).deepest < 1e-12, "{:?}", start(&scene));
+        scene.bodies[8].position.y -= 0.03;
+        let found = start(&scene);
+        assert!((found.deepest - 0.03).abs() < 1e-12, "{found:?}");
+        assert_eq!(found.pairs_not_measured, 0);
+    }
+
+    /// A cylinder that stands a centimetre deep in a floor.
+    fn cylinder_on_floor() -> Scene {
+        let (radius, half_height) = (0.3, 0.2);
+        let cylinder = Shape::Cylinder {
+            radius,
+            half_height,
+        };
+        let half_extents = DVec3::new(2.0, 0.5, 2.0);
+        let mut scene = Scene::new("cylinder");
+        scene.bodies = vec![
+            Body::new(Shape::Box { half_extents }, 0.0, DVec3::Y * -0.5),
+            Body::new(cylinder, 1.0, DVec3::Y * 0.19),
+        ];
+        scene
+    }
+
+    #[test]
+    fn a_cylinder_is_counted_as_not_measured_unless_a_routine_is_given() {
+        let scene = cylinder_on_floor();
+        let found = start(&scene);
+        assert_eq!((found.pairs_touching, found.pairs_not_measured), (0, 1));
+        let state = State::start_of(&scene);
+        let found = Penetration::with(&scene, &state, |_, _| Some(0.01));
+        assert_eq!((found.pairs_touching, found.pairs_not_measured), (1, 0));
+        assert_eq!(found.deepest, 0.01);
+    }
+
+    #[cfg(feature = "parry")]
+    #[test]
+    fn with_parry_all_pairs_are_measured() {
+        let scene = cylinder_on_floor();
+        let found = Penetration::of_all_pairs(&scene, &State::start_of(&scene));
+        assert!((found.deepest - 0.01).abs() < 1e-9, "{found:?}");
+        assert_eq!(found.pairs_not_measured, 0);
     }
 
     #[test]

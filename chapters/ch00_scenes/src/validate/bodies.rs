@@ -1,6 +1,6 @@
 //! The checks of one body.
 
-use super::Place;
+use super::{Place, is_normal};
 use crate::{Body, SceneError, Shape};
 
 pub(super) fn check(body: &Body, at: &Place) -> Result<(), SceneError> {
@@ -13,6 +13,19 @@ pub(super) fn check(body: &Body, at: &Place) -> Result<(), SceneError> {
             "a mass is above 0 kg, or 0 for a static body",
         )?;
         at.positive("mass", body.mass)?;
+        let inertia = body.shape.inertia(body.mass);
+        at.demand(
+            inertia.to_array().into_iter().all(is_normal),
+            "mass",
+            || {
+                format!(
+                    "{} (moments of inertia {:?})",
+                    body.mass,
+                    inertia.to_array()
+                )
+            },
+            "the moments of inertia must be above 0 and finite, in single precision too",
+        )?;
     }
     at.finite_vector("position", body.position)?;
     at.unit_quaternion("orientation", body.orientation)?;
@@ -129,6 +142,34 @@ mod tests {
                 };
             },
             "file.json: bodies[0].shape.cylinder.half_height = 0: ",
+        );
+    }
+
+    #[test]
+    fn a_needle_of_a_thousand_to_one_is_a_box() {
+        let mut scene = crate::builtin::build("pair", None, None).unwrap();
+        let half_extents = DVec3::new(0.001, 1.0, 0.001);
+        scene.bodies[0].shape = Shape::Box { half_extents };
+        scene.validate("file.json").unwrap();
+    }
+
+    #[test]
+    fn a_milligram_on_a_thousand_tons_at_the_same_place_is_a_scene() {
+        let mut scene = crate::builtin::build("pair", None, None).unwrap();
+        scene.bodies[0].mass = 1e-6;
+        scene.bodies[1].mass = 1e6;
+        scene.bodies[1].position = scene.bodies[0].position;
+        scene.validate("file.json").unwrap();
+    }
+
+    #[test]
+    fn a_body_too_light_and_small_to_have_a_moment_of_inertia_is_refused() {
+        assert_refused(
+            |scene| {
+                scene.bodies[0].shape = Shape::Sphere { radius: 1e-5 };
+                scene.bodies[0].mass = 1e-30;
+            },
+            "file.json: bodies[0].mass = 0.000000000000000000000000000001 (moments of inertia [4",
         );
     }
 

@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use super::Place;
-use crate::{Joint, SceneError};
+use crate::{Joint, Scene, SceneError};
 
-pub(super) fn check(joint: &Joint, at: &Place) -> Result<(), SceneError> {
+pub(super) fn check(scene: &Scene, joint: &Joint, at: &Place) -> Result<(), SceneError> {
     let kind = match joint {
         Joint::Ball { .. } => "ball",
         Joint::Distance { .. } => "distance",
@@ -22,6 +22,12 @@ pub(super) fn check(joint: &Joint, at: &Place) -> Result<(), SceneError> {
         || b.to_string(),
         "a joint connects two different bodies",
     )?;
+    at.demand(
+        !(scene.bodies[a].is_static() && scene.bodies[b].is_static()),
+        &field("b"),
+        || format!("{b} (a is {a})"),
+        "both bodies are static; a joint needs one that can move",
+    )?;
     at.finite_vector(&field("anchor_a"), anchor_a)?;
     at.finite_vector(&field("anchor_b"), anchor_b)?;
     match joint {
@@ -35,7 +41,7 @@ pub(super) fn check(joint: &Joint, at: &Place) -> Result<(), SceneError> {
         } => {
             at.direction("hinge.axis_a", *axis_a)?;
             at.direction("hinge.axis_b", *axis_b)?;
-            range.map_or(Ok(()), |range| at.range("hinge.range", range))
+            range.map_or(Ok(()), |range| at.angles("hinge.range", range))
         }
     }
 }
@@ -61,7 +67,7 @@ fn check_ball(joint: &Joint, at: &Place) -> Result<(), SceneError> {
         )?;
     }
     if let Some(twist) = *twist {
-        at.range("ball.twist", twist)?;
+        at.angles("ball.twist", twist)?;
     }
     if let Some(limits) = limits {
         at.demand(
@@ -70,9 +76,9 @@ fn check_ball(joint: &Joint, at: &Place) -> Result<(), SceneError> {
             || "given".to_owned(),
             "pitch, yaw and roll limits exclude a cone and a twist",
         )?;
-        at.range("ball.limits.pitch", limits.pitch)?;
-        at.range("ball.limits.yaw", limits.yaw)?;
-        at.range("ball.limits.roll", limits.roll)?;
+        at.angles("ball.limits.pitch", limits.pitch)?;
+        at.angles("ball.limits.yaw", limits.yaw)?;
+        at.angles("ball.limits.roll", limits.roll)?;
     }
     rest.map_or(Ok(()), |rest| at.unit_quaternion("ball.rest", rest))
 }
@@ -194,5 +200,108 @@ mod tests {
             range: None,
         };
         assert_joint_refused(joint, "hinge.axis_b = [0.0, 0.0, 0.0]: ");
+    }
+
+    fn euler(pitch: [f64; 2], yaw: [f64; 2], roll: [f64; 2]) -> Limits {
+        Limits {
+            euler: Some(EulerLimits { pitch, yaw, roll }),
+            ..Limits::default()
+        }
+    }
+
+    fn hinge(range: [f64; 2]) -> Joint {
+        Joint::Hinge {
+            a: 0,
+            b: 1,
+            anchor_a: DVec3::ZERO,
+            anchor_b: DVec3::ZERO,
+            axis_a: DVec3::Y,
+            axis_b: DVec3::Y,
+            range: Some(range),
+        }
+    }
+
+    fn assert_joint_accepted(joint: Joint) {
+        let mut scene = crate::builtin::build("pair", None, None).unwrap();
+        scene.joints.push(joint);
+        scene.validate("file.json").unwrap();
+    }
+
+    #[test]
+    fn every_range_the_wrong_way_round_is_named() {
+        let (fine, wrong) = ([-1.0, 1.0], [0.5, 0.25]);
+        for (limits, expected) in [
+            (
+                euler(wrong, fine, fine),
+                "ball.limits.pitch = [0.5, 0.25]: ",
+            ),
+            (euler(fine, wrong, fine), "ball.limits.yaw = [0.5, 0.25]: "),
+            (euler(fine, fine, wrong), "ball.limits.roll = [0.5, 0.25]: "),
+        ] {
+            assert_joint_refused(ball(0, 1, &limits), expected);
+        }
+        assert_joint_refused(hinge(wrong), "hinge.range = [0.5, 0.25]: ");
+    }
+
+    #[test]
+    fn a_range_of_one_angle_locks_and_is_legal() {
+        let locked = [0.25, 0.25];
+        assert_joint_accepted(ball(0, 1, &euler(locked, locked, locked)));
+        assert_joint_accepted(hinge(locked));
+        let limits = Limits {
+            twist: Some(locked),
+            ..Limits::default()
+        };
+        assert_joint_accepted(ball(0, 1, &limits));
+    }
+
+    #[test]
+    fn half_a_turn_either_way_is_legal_and_more_can_t_be_told_from_less() {
+        // As f32 has it, which is a little above π.
+        let pi = f64::from(std::f32::consts::PI);
+        assert_joint_accepted(hinge([-pi, pi]));
+        for range in [[-4.0, 1.0], [0.0, 3.15]] {
+            let expected = format!("hinge.range = {range:?}: limits lie between −π and π");
+            assert_joint_refused(hinge(range), &expected);
+        }
+    }
+
+    #[test]
+    fn a_range_that_is_not_finite_is_refused() {
+        assert_joint_refused(
+            hinge([f64::NEG_INFINITY, 1.0]),
+            "hinge.range = [-inf, 1.0]: limits are finite",
+        );
+        assert_joint_refused(hinge([0.0, f64::NAN]), "hinge.range = [0.0, NaN]: ");
+    }
+
+    #[test]
+    fn a_joint_between_two_static_bodies_is_refused() {
+        assert_refused(
+            |scene| {
+                scene.bodies[0].mass = 0.0;
+                scene.bodies[1].mass = 0.0;
+                scene.joints.push(hinge([0.0, 1.0]));
+            },
+            "file.json: joints[0].hinge.b = 1 (a is 0): both bodies are static",
+        );
+    }
+
+    #[test]
+    fn a_joint_to_one_static_body_and_two_joints_between_the_same_bodies_are_legal() {
+        let mut scene = crate::builtin::build("pair", None, None).unwrap();
+        scene.bodies[0].mass = 0.0;
+        scene.joints = vec![ball(0, 1, &Limits::default()); 2];
+        scene.joints.push(ball(1, 0, &Limits::default()));
+        scene.validate("file.json").unwrap();
+    }
+
+    #[test]
+    fn an_anchor_that_is_not_finite_is_named() {
+        let mut joint = ball(0, 1, &Limits::default());
+        if let Joint::Ball { anchor_b, .. } = &mut joint {
+            anchor_b.y = f64::NAN;
+        }
+        assert_joint_refused(joint, "ball.anchor_b = [0.0, NaN, 0.0]: ");
     }
 }

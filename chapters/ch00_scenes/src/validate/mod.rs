@@ -31,7 +31,7 @@ impl Scene {
             bodies::check(body, &place("bodies", i))?;
         }
         for (i, joint) in self.joints.iter().enumerate() {
-            joints::check(joint, &place("joints", i))?;
+            joints::check(self, joint, &place("joints", i))?;
         }
         for i in 0..self.forces.len() {
             forces::check(self, i, &place("forces", i))?;
@@ -174,17 +174,28 @@ impl Place<'_> {
         )
     }
 
-    /// Two finite angles, the lower first.
-    fn range(&self, field: &str, value: [f64; 2]) -> Result<(), SceneError> {
+    /// Limits of an angle, the lower first or both the same. A turn is known only up to
+    /// whole turns, so angles are measured from −π to π, and a limit beyond that could not
+    /// be told from one within.
+    fn angles(&self, field: &str, value: [f64; 2]) -> Result<(), SceneError> {
         let [low, high] = value;
         self.demand(
             fits(low) && fits(high) && low <= high,
             field,
             || format!("{value:?}"),
             "limits are finite and stand as [low, high]",
+        )?;
+        self.demand(
+            value.iter().all(|limit| limit.abs() <= HALF_TURN),
+            field,
+            || format!("{value:?}"),
+            "limits lie between −π and π rad: a turn is known only up to whole turns",
         )
     }
 }
+
+/// π rad, and what rounding to seven digits may add to it.
+const HALF_TURN: f64 = std::f64::consts::PI + 1e-6;
 
 /// Whether a number is finite in f32, in which engines run.
 #[expect(

@@ -16,6 +16,20 @@ pub fn time(time: Duration) -> String {
     }
 }
 
+/// A length in metres, or in millimetres or micrometres where it is short.
+pub fn length(metres: f64) -> String {
+    let size = metres.abs();
+    if size == 0.0 {
+        "0".to_owned()
+    } else if size < 1e-3 {
+        format!("{:.1} µm", 1e6 * metres)
+    } else if size < 0.1 {
+        format!("{:.2} mm", 1e3 * metres)
+    } else {
+        format!("{metres:.3} m")
+    }
+}
+
 /// A number that may not be there yet.
 pub fn or_dash<T>(value: Option<T>, show: impl Fn(T) -> String) -> String {
     value.map_or_else(|| "–".to_owned(), show)
@@ -41,6 +55,14 @@ pub fn row(ui: &mut egui::Ui, name: &str, value: impl Into<String>) -> egui::Res
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lengths_keep_three_digits_or_so() {
+        assert_eq!(length(0.0), "0");
+        assert_eq!(length(0.00001), "10.0 µm");
+        assert_eq!(length(-0.0123), "-12.30 mm");
+        assert_eq!(length(1.5), "1.500 m");
+    }
 
     #[test]
     fn times_have_three_digits_or_so() {

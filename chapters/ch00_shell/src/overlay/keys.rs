@@ -8,7 +8,7 @@ use crate::stage::Stage;
 pub struct Keys;
 
 /// What to press, and what it does.
-const KEYS: [(&str, &str); 12] = [
+const KEYS: [(&str, &str); 18] = [
     ("Space", "pause or go on"),
     (". or N", "one step"),
     ("R", "reset"),
@@ -16,9 +16,15 @@ const KEYS: [(&str, &str); 12] = [
     ("V", "variable step or fixed step"),
     ("L", "light or dark"),
     ("C", "camera back to the start"),
+    ("1 to 6", "layers, in the order of the list"),
+    ("X", "bodies of glass while layers are shown, or not"),
+    ("G", "look into the narrow phase of a pair, or stop"),
+    ("B", "camera to that pair"),
+    ("Left Right Home End", "through its iterations"),
     ("H or F1", "this panel"),
     ("Ctrl-Q", "close the window"),
     ("drag a body", "pull it by a spring"),
+    ("Shift-click a body", "look at it and the one clicked before"),
     ("drag elsewhere", "turn the camera"),
     ("wheel; Shift-drag", "closer or farther; move"),
 ];

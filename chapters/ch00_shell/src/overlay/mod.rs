@@ -1,16 +1,22 @@
 //! The overlay: a panel at the left with collapsible sections, each section a file with a
-//! name and a `show`, and a table of properties at the bottom. It draws nothing over the
-//! scene; what is left of the window is the scene's.
+//! name and a `show`, a table of properties at the bottom, and at the right, for a pair that is
+//! looked at, its narrow phase. It draws nothing over the
+//! scene but marks and notes; what is left of the window is the scene's.
 
 mod counts;
 mod errors;
 mod format;
 mod keys;
+mod layers;
+mod marks;
+mod narrow;
+mod notes;
 mod painter;
 mod plan;
 mod properties;
 mod setup;
 mod speed;
+mod still;
 mod style;
 mod transport;
 mod view;
@@ -21,10 +27,13 @@ use winit::window::Window;
 
 use crate::camera::Viewport;
 use crate::gpu::Gpu;
+use crate::guides::Guides;
 use crate::render::Theme;
 use crate::stage::Stage;
 use painter::Painter;
 use properties::Properties;
+
+pub use still::Still;
 
 /// Width of the left panel at the start, points.
 const WIDTH: f32 = 304.0;
@@ -63,11 +72,7 @@ impl Layout {
     /// The panels' colour, as displayed. The scene's pass clears the picture with it, which
     /// costs less than to fill the panels.
     pub fn background(&self) -> wgpu::Color {
-        let [r, g, b, _] = self
-            .background
-            .to_array()
-            .map(|part| f64::from(part) / 255.0);
-        wgpu::Color { r, g, b, a: 1.0 }
+        background(self.background)
     }
 
     /// Pixels per point of the screen.
@@ -100,6 +105,8 @@ impl Overlay {
                 Box::new(setup::Setup),
                 Box::new(errors::Errors),
                 Box::new(counts::Counts),
+                Box::new(layers::Layers),
+                Box::new(narrow::Choice),
                 Box::new(view::View),
                 Box::new(plan::Plan),
                 Box::new(keys::Keys),
@@ -120,7 +127,13 @@ impl Overlay {
     }
 
     /// Lays the overlay out and lets it act on the stage.
-    pub fn lay_out(&mut self, window: &Window, size: [u32; 2], stage: &mut Stage) -> Layout {
+    pub fn lay_out(
+        &mut self,
+        window: &Window,
+        size: [u32; 2],
+        stage: &mut Stage,
+        guides: &Guides,
+    ) -> Layout {
         if self.theme != Some(stage.theme) {
             self.theme = Some(stage.theme);
             style::apply(&self.context, stage.theme);
@@ -128,7 +141,7 @@ impl Overlay {
         let input = self.input.take_egui_input(window);
         let context = self.context.clone();
         let mut free = egui::Rect::ZERO;
-        let mut output = context.run_ui(input, |ui| free = self.show(ui, stage));
+        let mut output = context.run_ui(input, |ui| free = self.show(ui, stage, guides));
         let platform = std::mem::take(&mut output.platform_output);
         self.input.handle_platform_output(window, platform);
         Layout {
@@ -165,7 +178,7 @@ impl Overlay {
     }
 
     /// All panels; gives the rectangle that they leave free, in points.
-    fn show(&mut self, ui: &mut egui::Ui, stage: &mut Stage) -> egui::Rect {
+    fn show(&mut self, ui: &mut egui::Ui, stage: &mut Stage, guides: &Guides) -> egui::Rect {
         let mut is_shown = stage.shows_overlay;
         egui::Panel::left("overlay")
             .default_size(WIDTH)
@@ -180,7 +193,11 @@ impl Overlay {
         if stage.shows_overlay && self.properties.is_table_shown() {
             self.properties.show_table(ui, stage);
         }
-        ui.available_rect_before_wrap()
+        show_pair(ui, stage, guides);
+        let free = ui.available_rect_before_wrap();
+        let painter = ui.painter_at(free);
+        notes::paint(&painter, ui.visuals(), free, &stage.camera, guides);
+        free
     }
 
     fn show_sections(&mut self, ui: &mut egui::Ui, stage: &mut Stage) {
@@ -195,6 +212,22 @@ impl Overlay {
                 fold(ui, &mut self.properties, stage);
             });
     }
+}
+
+/// The narrow phase of the pair that is looked at, if there is one.
+fn show_pair(ui: &mut egui::Ui, stage: &mut Stage, guides: &Guides) {
+    if let Some(mut pair) = stage.show.pair {
+        let dissection = guides.dissection.as_ref();
+        let session = stage.session();
+        let stays = narrow::show(ui, session, &mut pair, dissection, &stage.camera, false);
+        stage.show.pair = stays.then_some(pair);
+    }
+}
+
+/// A colour of the overlay as a picture is cleared with.
+fn background(color: egui::Color32) -> wgpu::Color {
+    let [r, g, b, _] = color.to_array().map(|part| f64::from(part) / 255.0);
+    wgpu::Color { r, g, b, a: 1.0 }
 }
 
 /// How to get a hidden panel back.

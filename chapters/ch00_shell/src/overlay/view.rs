@@ -1,6 +1,4 @@
-//! What is drawn besides the bodies, and in which colours.
-
-use ch00_scenes::Layer;
+//! In which colours the scene is drawn, how large it is, and by what.
 
 use super::Section;
 use crate::render::{Theme, grid_cell};
@@ -19,20 +17,6 @@ impl Section for View {
     }
 
     fn show(&mut self, ui: &mut egui::Ui, stage: &mut Stage) {
-        for layer in Layer::ALL {
-            let can_show = stage.session().engine().layers().contains(&layer);
-            let mut is_shown = stage.layers.contains(&layer);
-            let checkbox = egui::Checkbox::new(&mut is_shown, layer.name());
-            let response = ui
-                .add_enabled(can_show, checkbox)
-                .on_disabled_hover_text("this engine has no such thing");
-            if response.changed() {
-                stage.layers.retain(|&shown| shown != layer);
-                if is_shown {
-                    stage.layers.push(layer);
-                }
-            }
-        }
         ui.horizontal(|ui| {
             ui.weak("colours");
             ui.selectable_value(&mut stage.theme, Theme::Dark, "dark");

@@ -3,7 +3,7 @@
 //! makes round.
 
 use super::buffer::GrowingBuffer;
-use super::instances::{Group, Instance, Instances};
+use super::instances::{Group, Instance, Instances, Look};
 use super::meshes::{self, Mesh, Vertex};
 use super::pipeline::{PipelineMaker, Recipe};
 use super::shaders;
@@ -73,6 +73,16 @@ pub struct Bodies {
     moving: wgpu::RenderPipeline,
     resting: wgpu::RenderPipeline,
     balls: wgpu::RenderPipeline,
+    glass: Glass,
+}
+
+/// The pipelines for bodies of glass: first only how deep each pixel's nearest glass lies, then
+/// its colour, so that nobody sees glass through glass.
+struct Glass {
+    depths: wgpu::RenderPipeline,
+    ball_depths: wgpu::RenderPipeline,
+    meshes: wgpu::RenderPipeline,
+    balls: wgpu::RenderPipeline,
 }
 
 impl Bodies {
@@ -91,6 +101,7 @@ impl Bodies {
             depth_compare: wgpu::CompareFunction::Greater,
             hides: true,
             is_translucent: false,
+            is_seen: true,
             constants: &constants,
         };
         let resting = Recipe {
@@ -113,6 +124,31 @@ impl Bodies {
             moving: maker.make(&moving),
             resting: maker.make(&resting),
             balls: maker.make(&balls),
+            glass: Glass {
+                depths: maker.make(&Recipe {
+                    entries: ["vs_body", "fs_glass"],
+                    is_seen: false,
+                    ..moving
+                }),
+                ball_depths: maker.make(&Recipe {
+                    entries: ["vs_ball", "fs_glass_ball"],
+                    is_seen: false,
+                    ..balls
+                }),
+                meshes: maker.make(&Recipe {
+                    entries: ["vs_body", "fs_glass"],
+                    depth_compare: wgpu::CompareFunction::Equal,
+                    hides: false,
+                    is_translucent: true,
+                    ..moving
+                }),
+                balls: maker.make(&Recipe {
+                    entries: ["vs_ball", "fs_glass_ball"],
+                    depth_compare: wgpu::CompareFunction::Equal,
+                    hides: false,
+                    ..balls
+                }),
+            },
         }
     }
 
@@ -122,9 +158,9 @@ impl Bodies {
         self.groups.clone_from(&instances.groups);
     }
 
-    /// Draws all groups into the shadow map.
+    /// Draws all groups that aren't of glass into the shadow map.
     pub fn draw_depths(&self, pass: &mut wgpu::RenderPass, shadow: &ShadowMap) {
-        for group in &self.groups {
+        for group in self.groups.iter().filter(|group| group.look != Look::Glass) {
             if group.shape == BALL {
                 pass.set_pipeline(&shadow.balls);
                 self.draw_balls(pass, group, BALL_SHADOW_CORNERS);
@@ -135,13 +171,13 @@ impl Bodies {
         }
     }
 
-    /// Draws all groups but the balls.
+    /// Draws all groups but the balls and what is of glass.
     pub fn draw_all_but_balls(&self, pass: &mut wgpu::RenderPass) {
         for group in self.groups.iter().filter(|group| group.shape != BALL) {
-            pass.set_pipeline(if group.is_static {
-                &self.resting
-            } else {
-                &self.moving
+            pass.set_pipeline(match group.look {
+                Look::Moving => &self.moving,
+                Look::Static => &self.resting,
+                Look::Glass => continue,
             });
             self.draw_meshes(pass, group);
         }
@@ -149,10 +185,31 @@ impl Bodies {
 
     /// Draws the balls over what is behind them.
     pub fn draw_balls_only(&self, pass: &mut wgpu::RenderPass) {
-        for group in self.groups.iter().filter(|group| group.shape == BALL) {
+        let is_solid_ball = |group: &&Group| group.shape == BALL && group.look != Look::Glass;
+        for group in self.groups.iter().filter(is_solid_ball) {
             pass.set_pipeline(&self.balls);
             self.draw_balls(pass, group, BALL_CORNERS);
         }
+    }
+
+    /// Draws what is of glass over everything else; whether anything is.
+    pub fn draw_glass(&self, pass: &mut wgpu::RenderPass) -> bool {
+        let glass = |group: &&Group| group.look == Look::Glass;
+        for [balls, meshes] in [
+            [&self.glass.ball_depths, &self.glass.depths],
+            [&self.glass.balls, &self.glass.meshes],
+        ] {
+            for group in self.groups.iter().filter(glass) {
+                if group.shape == BALL {
+                    pass.set_pipeline(balls);
+                    self.draw_balls(pass, group, BALL_CORNERS);
+                } else {
+                    pass.set_pipeline(meshes);
+                    self.draw_meshes(pass, group);
+                }
+            }
+        }
+        self.groups.iter().any(|group| group.look == Look::Glass)
     }
 
     fn draw_balls(&self, pass: &mut wgpu::RenderPass, group: &Group, corners: u32) {

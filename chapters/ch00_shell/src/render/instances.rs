@@ -3,12 +3,12 @@
 
 use std::ops::Range;
 
-use ch00_scenes::Shape;
+use ch00_scenes::{Body, Shape};
 use glam::Vec3;
 
 use super::Picture;
 use super::surroundings::Surroundings;
-use super::theme::{Colors, body_color};
+use super::theme::{Colors, body_color, pair_color};
 
 /// A body in the instance buffer.
 #[repr(C)]
@@ -21,13 +21,26 @@ pub struct Instance {
     color: [f32; 4],
 }
 
-/// Bodies drawn in one go: of one shape, and moving or static.
+/// Which of a shape's pipelines draws a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// Two tones that show how it turns.
+    Moving,
+    /// Plain, with the ground's grid.
+    Static,
+    /// To look through.
+    Glass,
+}
+
+const LOOKS: [Look; 3] = [Look::Moving, Look::Static, Look::Glass];
+
+/// Bodies drawn in one go: of one shape and one look.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
     /// 0 ball, 1 box, 2 capsule, 3 cylinder.
     pub shape: usize,
-    /// Whether they are static.
-    pub is_static: bool,
+    /// How they are drawn.
+    pub look: Look,
     /// Their instances.
     pub range: Range<u32>,
 }
@@ -35,7 +48,7 @@ pub struct Group {
 /// Instances of all bodies but walls, and their groups. Kept over frames for its memory.
 #[derive(Debug, Default)]
 pub struct Instances {
-    sorted: [Vec<Instance>; 8],
+    sorted: [Vec<Instance>; 4 * LOOKS.len()],
     /// All instances, group after group.
     pub all: Vec<Instance>,
     /// The groups that are not empty.
@@ -53,13 +66,15 @@ impl Instances {
             }
             let (shape, size) = shape_and_size(&body.shape);
             let (position, orientation) = picture.session.pose(i, picture.alpha);
-            let color = if body.is_static() {
-                colors.ground
-            } else {
-                body_color(i)
+            let place = picture.pair.and_then(|pair| pair.iter().position(|&j| j == i));
+            let color = match place {
+                Some(place) => pair_color(place),
+                None if body.is_static() => colors.ground,
+                None => body_color(i),
             };
+            let is_glass = picture.is_glass && place.is_none();
             let glow = if picture.picked == Some(i) { 1.0 } else { 0.0 };
-            let group = 2 * shape + usize::from(body.is_static() && shape > 0);
+            let group = LOOKS.len() * shape + look(body, is_glass) as usize;
             self.sorted[group].push(Instance {
                 position: position.as_vec3().to_array(),
                 shape: [0, 1, 2, 3][shape],
@@ -74,24 +89,38 @@ impl Instances {
 
     fn sort_balls(&mut self, eye: Vec3) {
         let distance = |ball: &Instance| Vec3::from(ball.position).distance_squared(eye);
-        self.sorted[0].sort_unstable_by(|a, b| distance(b).total_cmp(&distance(a)));
+        for balls in &mut self.sorted[..LOOKS.len()] {
+            balls.sort_unstable_by(|a, b| distance(b).total_cmp(&distance(a)));
+        }
     }
 
     fn join(&mut self) {
         self.all.clear();
         self.groups.clear();
         for (i, instances) in self.sorted.iter().enumerate().rev() {
+            let (shape, look) = (i / LOOKS.len(), LOOKS[i % LOOKS.len()]);
             let start = count(self.all.len());
             self.all.extend_from_slice(instances);
             let range = start..count(self.all.len());
             if !range.is_empty() {
                 self.groups.push(Group {
-                    shape: i / 2,
-                    is_static: i % 2 == 1,
+                    shape,
+                    look,
                     range,
                 });
             }
         }
+    }
+}
+
+/// How a body is drawn; one that can't move is never of glass.
+fn look(body: &Body, is_glass: bool) -> Look {
+    match (body.is_static(), &body.shape) {
+        // A ball's own pattern is the only one that its shader has.
+        (true, Shape::Sphere { .. }) => Look::Moving,
+        (true, _) => Look::Static,
+        (false, _) if is_glass => Look::Glass,
+        (false, _) => Look::Moving,
     }
 }
 

@@ -1,10 +1,11 @@
 //! Lines: what an engine shows of its inner state, edges of walls, the pull of the mouse.
-//! Each is drawn twice: fully where nothing hides it, and faintly through everything.
+//! Each is drawn faintly through everything, and fully where nothing hides it.
 
 use ch00_scenes::Line;
 use glam::Vec3;
 
 use super::buffer::GrowingBuffer;
+use super::faces::byte;
 use super::pipeline::{PipelineMaker, Recipe};
 use super::shaders;
 use super::surroundings::{Face, Surroundings};
@@ -53,6 +54,7 @@ impl Lines {
                 depth_compare,
                 hides: false,
                 is_translucent: true,
+                is_seen: true,
                 constants: &[("opacity", opacity)],
             })
         };
@@ -60,7 +62,7 @@ impl Lines {
             strokes: GrowingBuffer::new(maker.device, "lines", wgpu::BufferUsages::VERTEX),
             count: 0,
             full: pipeline(wgpu::CompareFunction::GreaterEqual, 1.0),
-            through: pipeline(wgpu::CompareFunction::Always, 0.3),
+            through: pipeline(wgpu::CompareFunction::Always, 0.4),
         }
     }
 
@@ -71,13 +73,19 @@ impl Lines {
         self.count = u32::try_from(strokes.len()).unwrap_or(0);
     }
 
-    /// Draws them over what was drawn before.
+    /// Draws them faintly through everything.
+    pub fn draw_through(&self, pass: &mut wgpu::RenderPass) {
+        self.draw_with(pass, &self.through);
+    }
+
+    /// Draws them where nothing hides them.
     pub fn draw(&self, pass: &mut wgpu::RenderPass) {
-        if self.count == 0 {
-            return;
-        }
-        pass.set_vertex_buffer(0, self.strokes.slice());
-        for pipeline in [&self.through, &self.full] {
+        self.draw_with(pass, &self.full);
+    }
+
+    fn draw_with(&self, pass: &mut wgpu::RenderPass, pipeline: &wgpu::RenderPipeline) {
+        if self.count > 0 {
+            pass.set_vertex_buffer(0, self.strokes.slice());
             pass.set_pipeline(pipeline);
             pass.draw(0..4, 0..self.count);
         }
@@ -87,18 +95,12 @@ impl Lines {
 /// A line of an engine's layer.
 #[must_use]
 pub fn stroke_of(line: &Line) -> Stroke {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "clamped to 0 … 255"
-    )]
-    let part = |c: f32| (c.clamp(0.0, 1.0) * 255.0).round() as u8;
-    let [r, g, b] = line.color;
+    let [r, g, b] = line.color.map(byte);
     Stroke {
         from: line.from,
-        width: 1.5,
+        width: line.width,
         to: line.to,
-        color: [part(r), part(g), part(b), 255],
+        color: [r, g, b, 255],
     }
 }
 

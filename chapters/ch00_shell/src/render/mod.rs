@@ -1,10 +1,11 @@
 //! The renderer: draws a session's bodies, lit and with shadows, onto any texture. The window
 //! and the screenshot use the same one. A frame is: write what has changed, draw depths as
-//! the sun sees them, draw bodies, scenery and lines as the camera sees them.
+//! the sun sees them, draw bodies, scenery and drawings as the camera sees them.
 
 mod bindings;
 mod bodies;
 mod buffer;
+mod faces;
 mod frame;
 mod instances;
 pub mod lines;
@@ -18,16 +19,20 @@ mod surroundings;
 mod targets;
 mod theme;
 
+pub use faces::byte;
 pub use frame::grid_cell;
 pub use quality::Quality;
 pub use surroundings::Surroundings;
 pub use theme::Theme;
+
+use ch00_scenes::Face;
 
 use crate::Session;
 use crate::camera::{Camera, Viewport};
 use crate::gpu::Gpu;
 use bindings::{Bindings, Layouts};
 use bodies::Bodies;
+use faces::Faces;
 use frame::FrameUniform;
 use instances::Instances;
 use lines::{Lines, Stroke};
@@ -54,8 +59,14 @@ pub struct Picture<'a> {
     pub margin: wgpu::Color,
     /// The body that glows.
     pub picked: Option<usize>,
+    /// Two bodies that are orange and blue and never of glass.
+    pub pair: Option<[usize; 2]>,
+    /// Whether bodies that can move are of glass, so that drawings inside and behind them show.
+    pub is_glass: bool,
     /// Lines besides the walls' edges.
     pub strokes: &'a [Stroke],
+    /// Faces of drawings.
+    pub faces: &'a [Face],
 }
 
 /// Everything on the device that a picture needs.
@@ -66,6 +77,7 @@ pub struct Renderer {
     shadow: ShadowMap,
     bodies: Bodies,
     scenery: Scenery,
+    faces: Faces,
     lines: Lines,
     targets: Option<Targets>,
     surroundings: Surroundings,
@@ -93,6 +105,7 @@ impl Renderer {
         };
         let bodies = Bodies::new(&maker, &gpu.queue);
         let scenery = Scenery::new(&maker);
+        let faces = Faces::new(&maker);
         let lines = Lines::new(&maker);
         let mut renderer = Self {
             bindings: Bindings::new(device, &layouts, &shadow),
@@ -101,6 +114,7 @@ impl Renderer {
             shadow,
             bodies,
             scenery,
+            faces,
             lines,
             targets: None,
             surroundings: surroundings.clone(),
@@ -158,6 +172,7 @@ impl Renderer {
             .extend(lines::wall_edges(&self.surroundings, eye, &colors));
         self.strokes.extend_from_slice(picture.strokes);
         self.lines.write(device, queue, &self.strokes);
+        self.faces.write(device, queue, picture.faces, eye);
     }
 
     fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder) {
@@ -184,8 +199,19 @@ impl Renderer {
         self.bodies.draw_all_but_balls(&mut pass);
         self.scenery.draw(&mut pass);
         self.bodies.draw_balls_only(&mut pass);
-        self.lines.draw(&mut pass);
+        self.faces.draw_through(&mut pass);
+        self.lines.draw_through(&mut pass);
+        self.draw_drawings(&mut pass);
+        if self.bodies.draw_glass(&mut pass) {
+            // Once more, for what is before the glass.
+            self.draw_drawings(&mut pass);
+        }
         drop(pass);
         self.targets = Some(targets);
+    }
+
+    fn draw_drawings(&self, pass: &mut wgpu::RenderPass) {
+        self.faces.draw(pass);
+        self.lines.draw(pass);
     }
 }

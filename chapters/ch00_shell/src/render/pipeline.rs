@@ -23,6 +23,8 @@ pub struct Recipe<'a> {
     pub hides: bool,
     /// Whether it is mixed with what is behind it, by its alpha.
     pub is_translucent: bool,
+    /// Whether it is seen at all, or only hides.
+    pub is_seen: bool,
     /// Values of the shader's overrides.
     pub constants: &'a [(&'a str, f64)],
 }
@@ -83,7 +85,11 @@ impl PipelineMaker<'_> {
                     targets: &[Some(wgpu::ColorTargetState {
                         format: self.format,
                         blend,
-                        write_mask: wgpu::ColorWrites::ALL,
+                        write_mask: if recipe.is_seen {
+                            wgpu::ColorWrites::ALL
+                        } else {
+                            wgpu::ColorWrites::empty()
+                        },
                     })],
                 }),
                 multiview_mask: None,

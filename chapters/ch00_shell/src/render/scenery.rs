@@ -45,6 +45,7 @@ impl Scenery {
             depth_compare: wgpu::CompareFunction::GreaterEqual,
             hides: false,
             is_translucent: false,
+            is_seen: true,
             constants: &[],
         };
         let ground = |is_opaque: bool| {

@@ -49,5 +49,7 @@ pub const SKY: Shader = shader!("ch00_sky.wgsl", needs FRAME);
 pub const GROUND: Shader = shader!("ch00_ground.wgsl", needs FRAME, LIGHT);
 /// Walls.
 pub const WALLS: Shader = shader!("ch00_walls.wgsl", needs FRAME);
+/// Faces of drawings.
+pub const FACES: Shader = shader!("ch00_faces.wgsl", needs FRAME);
 /// Lines.
 pub const LINES: Shader = shader!("ch00_lines.wgsl", needs FRAME);

@@ -84,6 +84,12 @@ pub fn body_color(i: usize) -> Vec3 {
     linear(PALETTE[i % PALETTE.len()])
 }
 
+/// Linear colour of the first (0) or second (1) body of a pair that is looked at.
+#[must_use]
+pub fn pair_color(place: usize) -> Vec3 {
+    linear([PALETTE[0], PALETTE[4]][place])
+}
+
 /// sRGB parts, 0 … 1, of a colour 0xRRGGBB.
 fn display(rgb: u32) -> Vec3 {
     let [_, r, g, b] = rgb.to_be_bytes();

@@ -42,6 +42,14 @@ impl RigidBody {
         self.q_last
     }
 
+    /// How far any point of it moved in the last step, at most, m.
+    #[must_use]
+    pub fn last_reach(&self) -> f32 {
+        let turn = self.q * self.q_last.conjugate();
+        let chord = 2.0 * Vec3::new(turn.x, turn.y, turn.z).length();
+        (self.p - self.p_last).length() + chord * self.collider.bounding_radius()
+    }
+
     /// ΣF/m and gravity, m/s², where it is now.
     #[must_use]
     pub fn acceleration(&self) -> Vec3 {

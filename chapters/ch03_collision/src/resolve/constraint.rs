@@ -7,9 +7,13 @@ use glam::Vec3;
 
 use super::Rules;
 use crate::Contact;
+use crate::narrow::MOST_SPOTS;
 
 /// A lift that nobody pays for, m: what rounding makes of a body that rests and owes nothing.
 const LIFT_FOR_FREE: f32 = 1e-5;
+
+/// A nudge that isn't worth making, m.
+const SMALL_NUDGE: f32 = 1e-6;
 
 /// A contact while it is resolved.
 pub struct Constraint {
@@ -56,8 +60,9 @@ impl Constraint {
         let closing = (two.acceleration() - one.acceleration()).dot(n);
         let approach = impulse::relative_velocity(one.moving(), r1, two.moving(), r2).dot(n);
         let speed = surface_speed((-approach).max(0.0), closing, contact.depth.max(0.0));
+        let restitution = mixed_restitution(material_1.restitution, material_2.restitution);
         // Who bounces starts from the surface; who rests may stay a little inside.
-        let slop = if speed > rules.restitution_threshold {
+        let slop = if restitution > 0.0 && speed > rules.restitution_threshold {
             0.0
         } else {
             rules.slop
@@ -76,7 +81,7 @@ impl Constraint {
             closing,
             response: response(n),
             response_across: response(across_1).max(response(across_2)),
-            restitution: mixed_restitution(material_1.restitution, material_2.restitution),
+            restitution,
             friction: mixed_friction(material_1.friction, material_2.friction),
             static_friction: mixed_friction(material_1.static_friction, material_2.static_friction),
             impact: Vec3::ZERO,
@@ -91,11 +96,17 @@ impl Constraint {
         impulse::relative_velocity(one.moving(), self.r1, two.moving(), self.r2)
     }
 
+    /// Whether two contacts are between the same bodies.
+    pub fn is_of_same_pair(&self, other: &Self) -> bool {
+        (self.a, self.b) == (other.a, other.b)
+    }
+
     // ANCHOR: impact_speed
-    /// The speed of approach at the surface, m/s, if that is an impact.
+    /// The speed of approach at the surface, m/s, if that is an impact. What doesn't bounce needs none:
+    /// resting contact stops it.
     pub fn impact_speed(&self, v_r: Vec3, rules: Rules) -> Option<f32> {
         let approach = v_r.dot(self.normal);
-        if approach >= 0.0 || self.gap_speed > 0.0 {
+        if approach >= 0.0 || self.gap_speed > 0.0 || self.restitution == 0.0 {
             return None;
         }
         let speed = surface_speed(-approach, self.closing, self.pushed);
@@ -104,66 +115,126 @@ impl Constraint {
     // ANCHOR_END: impact_speed
 
     // ANCHOR: part
-    /// Shifts the two bodies by what is left of their depth, the lighter one further. Says whether
-    /// there was anything left.
-    pub fn part(&mut self, shifts: &mut [Vec3]) -> bool {
-        let left = self.depth - self.normal.dot(shifts[self.a] - shifts[self.b]);
-        if left <= 0.0 {
+    /// Nudges the two bodies apart by what is left of their depth, the one that yields more further;
+    /// or takes back, of what it has nudged before, what others have made superfluous. Says whether
+    /// there was anything to do.
+    pub fn part(&mut self, bodies: &[Shared<RigidBody>]) -> bool {
+        let (mut one, mut two) = (bodies[self.a].borrow_mut(), bodies[self.b].borrow_mut());
+        let parted = one.nudged(self.r1) - two.nudged(self.r2);
+        let left = self.depth - self.normal.dot(parted);
+        let pushed = (self.pushed + left).max(0.0);
+        let change = pushed - self.pushed;
+        if change.abs() <= SMALL_NUDGE {
             return false;
         }
-        self.pushed += left;
-        let push = self.normal * (left / (self.w1 + self.w2));
-        shifts[self.a] += push * self.w1;
-        shifts[self.b] -= push * self.w2;
+        self.pushed = pushed;
+        let nudge = self.normal * (change / self.response);
+        one.nudge(self.r1, nudge);
+        two.nudge(self.r2, -nudge);
         true
     }
     // ANCHOR_END: part
 
     // ANCHOR: pay_for_lift
     /// Takes from the rest of its speed what a body's lift out of an obstacle costs beyond what its
-    /// fall pays: ½ v² must drop by the acceleration times the lift.
-    pub fn pay_for_lift(&self, bodies: &[Shared<RigidBody>]) {
-        if !self.is_against_static() || self.closing <= 0.0 {
+    /// fall pays: ½ v² must drop by the acceleration times the lift. Of a pair's contacts the one that
+    /// lifted furthest pays for all.
+    pub fn pay_for_lift(pair: &[Self], bodies: &[Shared<RigidBody>]) {
+        let further = |a: &&Self, b: &&Self| a.pushed.total_cmp(&b.pushed);
+        let Some(c) = pair.iter().max_by(further) else {
+            return;
+        };
+        if !c.is_against_static() || c.closing <= 0.0 || c.restitution == 0.0 {
             return;
         }
-        let (moving, out, weight) = if self.w1 > 0.0 {
-            (self.a, self.normal, self.w1)
+        let (moving, out, weight) = if c.w1 > 0.0 {
+            (c.a, c.normal, c.w1)
         } else {
-            (self.b, -self.normal, self.w2)
+            (c.b, -c.normal, c.w2)
         };
         let mut body = bodies[moving].borrow_mut();
         let v = body.moving().v;
         let fall = (-v.dot(out)).max(0.0);
-        let unpaid = self.pushed - fall * fall / (2.0 * self.closing);
+        let lift = c.pushed * weight / c.response;
+        let unpaid = lift - fall * fall / (2.0 * c.closing);
         let rest = v + fall * out;
         let speed = rest.length();
         if unpaid > LIFT_FOR_FREE && speed > 0.0 {
-            let left = surface_speed(speed, self.closing, unpaid);
+            let left = surface_speed(speed, c.closing, unpaid);
             body.push(Vec3::ZERO, rest * ((left / speed - 1.0) / weight));
         }
     }
     // ANCHOR_END: pay_for_lift
 
+    // ANCHOR: impact
+    /// An impact of two bodies that meet at these points: they part with e times the speed that they
+    /// had at the surface. Says whether it was one.
+    pub fn impact(pair: &mut [Self], bodies: &[Shared<RigidBody>], rules: Rules) -> bool {
+        let mut hits = [(0, 0.0, 0.0); MOST_SPOTS];
+        let mut count = 0;
+        for (i, c) in pair.iter().enumerate() {
+            if let Some(speed) = c.impact_speed(c.relative_velocity(bodies), rules) {
+                hits[count] = (i, c.restitution * speed, 0.0);
+                count += 1;
+            }
+        }
+        let hits = &mut hits[..count];
+        let visits = if count > 1 { rules.sweeps } else { 1 };
+        for _ in 0..visits {
+            for (i, parting, sum) in &mut *hits {
+                let c = &mut pair[*i];
+                let missing = *parting - c.relative_velocity(bodies).dot(c.normal);
+                let normal = (*sum + missing / c.response).max(0.0);
+                c.apply_impact(bodies, (normal - *sum) * c.normal);
+                *sum = normal;
+            }
+        }
+        for &(i, _, normal) in &*hits {
+            let c = &mut pair[i];
+            let wanted = -c.sliding(bodies) / c.response_across;
+            let friction = coulomb(wanted, normal, c.static_friction, c.friction);
+            c.apply_impact(bodies, friction);
+        }
+        count > 0
+    }
+    // ANCHOR_END: impact
+
+    /// The part of the relative velocity that lies in the contact's plane, m/s.
+    fn sliding(&self, bodies: &[Shared<RigidBody>]) -> Vec3 {
+        let v_r = self.relative_velocity(bodies);
+        v_r - v_r.dot(self.normal) * self.normal
+    }
+
+    /// An impulse that no sweep takes back, N s.
+    fn apply_impact(&mut self, bodies: &[Shared<RigidBody>], impulse: Vec3) {
+        self.apply(bodies, impulse);
+        self.impact += impulse;
+    }
+
     // ANCHOR: hold
-    /// Mends the support and then the friction of this contact.
-    pub fn hold(&mut self, bodies: &[Shared<RigidBody>], rules: Rules) {
+    /// Mends the support and then the friction of this contact. Says whether that changed anything
+    /// worth another sweep.
+    pub fn hold(&mut self, bodies: &[Shared<RigidBody>], rules: Rules) -> bool {
         let approach = self.relative_velocity(bodies).dot(self.normal) + self.gap_speed;
-        if self.gap_speed > 0.0 && approach < self.gap_speed - rules.restitution_threshold {
-            // It comes fast enough to bounce: let it come.
-            return;
+        let comes_fast = approach < self.gap_speed - rules.restitution_threshold;
+        if self.restitution > 0.0 && self.gap_speed > 0.0 && comes_fast {
+            // It is going to bounce: let it come.
+            return false;
         }
         let support = (self.support - approach / self.response).max(0.0);
         if support == 0.0 && self.support == 0.0 {
-            return;
+            return false;
         }
-        self.apply(bodies, (support - self.support) * self.normal);
+        let change = support - self.support;
+        self.apply(bodies, change * self.normal);
         self.support = support;
-        let v_r = self.relative_velocity(bodies);
-        let sliding = v_r - v_r.dot(self.normal) * self.normal;
-        let wanted = self.rub - sliding / self.response_across;
+        let wanted = self.rub - self.sliding(bodies) / self.response_across;
         let rub = coulomb(wanted, support, self.static_friction, self.friction);
-        self.apply(bodies, rub - self.rub);
+        let rubbed = rub - self.rub;
+        self.apply(bodies, rubbed);
         self.rub = rub;
+        change.abs() * self.response > rules.still
+            || rubbed.length() * self.response_across > rules.still
     }
     // ANCHOR_END: hold
 

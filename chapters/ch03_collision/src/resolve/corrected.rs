@@ -5,52 +5,56 @@
 //! the surface, and what then still approaches is stopped and rubs. Only the first could add
 //! energy, by lifting bodies out of obstacles, and their speed pays for that.
 
-use ch00_maths::f32::impulse::coulomb;
 use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
-use glam::Vec3;
 
 use super::constraint::Constraint;
-use super::{LONGEST_SHIFT, Rules};
+use super::{LONGEST_SHIFT, Links, Rules};
 use crate::Contact;
 
 // ANCHOR: resolve
-/// Resolves all contacts together. Returns how many impacts were left when the sweeps ended; the
-/// resting contact then stops those bodies without a bounce.
+/// Resolves all contacts, and the links, together. Returns how many impacts were left when the sweeps
+/// ended; the resting contact then stops those bodies without a bounce.
 pub fn resolve_corrected(
     bodies: &[Shared<RigidBody>],
     contacts: &mut [Contact],
+    links: &mut impl Links,
     rules: Rules,
     dt: f32,
 ) -> usize {
-    begin(bodies, contacts);
+    let involved = involved(bodies.len(), contacts, links);
+    for &i in &involved {
+        bodies[i].borrow_mut().begin_resolving();
+    }
     let mut constraints = prepare(bodies, contacts, rules, dt);
-    let shifts = push_apart(bodies.len(), &mut constraints, rules);
-    for c in &constraints {
-        c.pay_for_lift(bodies);
+    links.prepare(dt);
+    push_apart(bodies, &involved, &mut constraints, links, rules);
+    for pair in constraints.chunk_by(Constraint::is_of_same_pair) {
+        Constraint::pay_for_lift(pair, bodies);
     }
     let left = bounce(bodies, &mut constraints, rules);
-    rest(bodies, &mut constraints, rules);
-    end(bodies, contacts, &constraints, &shifts);
+    for &i in &involved {
+        bodies[i].borrow_mut().begin_resting();
+    }
+    rest(bodies, &mut constraints, links, rules);
+    for &i in &involved {
+        bodies[i].borrow_mut().end_resolving();
+    }
+    links.finish();
+    report(contacts, &constraints);
     left
 }
 // ANCHOR_END: resolve
 
-/// Reads the velocities of all bodies that touch something.
-fn begin(bodies: &[Shared<RigidBody>], contacts: &[Contact]) {
-    for i in touching(bodies.len(), contacts) {
-        bodies[i].borrow_mut().begin_resolving();
-    }
-}
-
-/// The bodies that appear in a contact, each once, in order.
-fn touching(count: usize, contacts: &[Contact]) -> impl Iterator<Item = usize> {
-    let mut touches = vec![false; count];
+/// The bodies that appear in a contact or a link, each once, in order.
+fn involved(count: usize, contacts: &[Contact], links: &impl Links) -> Vec<usize> {
+    let mut involved = vec![false; count];
     for contact in contacts {
-        touches[contact.a] = true;
-        touches[contact.b] = true;
+        involved[contact.a] = true;
+        involved[contact.b] = true;
     }
-    (0..count).filter(move |&i| touches[i])
+    links.each_body(|i| involved[i] = true);
+    (0..count).filter(|&i| involved[i]).collect()
 }
 
 /// Works out what stays the same during all sweeps.
@@ -70,41 +74,43 @@ fn prepare(
 }
 
 // ANCHOR: push_apart
-/// Finds shifts, m, that part the bodies: each contact moves its two by what is left of its
-/// depth, the lighter more, until all have had their turns. Velocities stay.
-fn push_apart(count: usize, constraints: &mut [Constraint], rules: Rules) -> Vec<Vec3> {
-    let mut shifts = vec![Vec3::ZERO; count];
+/// Nudges the bodies until none overlap: each contact moves its two by what is left of its depth,
+/// the one that yields more further, until all have had their turns. Velocities stay.
+fn push_apart(
+    bodies: &[Shared<RigidBody>],
+    involved: &[usize],
+    constraints: &mut [Constraint],
+    links: &mut impl Links,
+    rules: Rules,
+) {
     for _ in 0..rules.sweeps {
-        let mut moved = false;
+        let mut moved = links.part();
         for c in &mut *constraints {
-            moved |= c.part(&mut shifts);
+            moved |= c.part(bodies);
         }
         if !moved {
             break;
         }
     }
-    shorten_shifts(&mut shifts, constraints);
+    shorten_shifts(bodies, involved, constraints);
     for c in constraints.iter_mut().filter(|c| c.is_against_static()) {
-        c.part(&mut shifts);
+        c.part(bodies);
     }
-    shifts
 }
 // ANCHOR_END: push_apart
 
 /// Cuts the shifts of bodies that know of no obstacle near them, so that none is pushed through
 /// one. Who is near an obstacle is pushed out of it afterwards, and must not pay for that twice.
-fn shorten_shifts(shifts: &mut [Vec3], constraints: &[Constraint]) {
-    let mut near_obstacle = vec![false; shifts.len()];
+fn shorten_shifts(bodies: &[Shared<RigidBody>], involved: &[usize], constraints: &[Constraint]) {
+    let mut near_obstacle = vec![false; bodies.len()];
     for c in constraints.iter().filter(|c| c.is_against_static()) {
         near_obstacle[c.a] = true;
         near_obstacle[c.b] = true;
     }
-    for (shift, _) in shifts
-        .iter_mut()
-        .zip(&near_obstacle)
-        .filter(|(_, near)| !**near)
-    {
-        *shift = shift.clamp_length_max(LONGEST_SHIFT);
+    for &i in involved {
+        if !near_obstacle[i] {
+            bodies[i].borrow_mut().shorten_shift(LONGEST_SHIFT);
+        }
     }
 }
 
@@ -114,18 +120,8 @@ fn shorten_shifts(shifts: &mut [Vec3], constraints: &[Constraint]) {
 fn bounce(bodies: &[Shared<RigidBody>], constraints: &mut [Constraint], rules: Rules) -> usize {
     for _ in 0..rules.sweeps {
         let mut impacts = 0;
-        for c in &mut *constraints {
-            let v_r = c.relative_velocity(bodies);
-            let Some(speed) = c.impact_speed(v_r, rules) else {
-                continue;
-            };
-            let approach = v_r.dot(c.normal);
-            let normal = (c.restitution * speed - approach) / c.response;
-            let wanted = -(v_r - approach * c.normal) / c.response_across;
-            let friction = coulomb(wanted, normal, c.static_friction, c.friction);
-            c.apply(bodies, normal * c.normal + friction);
-            c.impact += normal * c.normal + friction;
-            impacts += 1;
+        for pair in constraints.chunk_by_mut(Constraint::is_of_same_pair) {
+            impacts += usize::from(Constraint::impact(pair, bodies, rules));
         }
         if impacts == 0 {
             return 0;
@@ -139,15 +135,26 @@ fn bounce(bodies: &[Shared<RigidBody>], constraints: &mut [Constraint], rules: R
 // ANCHOR_END: bounce
 
 // ANCHOR: rest
-/// Resting contact: supports stop what still approaches, friction stops what slides. Both are
-/// kept as sums, so that a later sweep can take back what an earlier one gave too much.
-fn rest(bodies: &[Shared<RigidBody>], constraints: &mut [Constraint], rules: Rules) {
+/// Resting contact: supports stop what still approaches, friction stops what slides, links hold what
+/// belongs together. All are kept as sums, so that a later sweep can take back what an earlier one
+/// gave too much.
+fn rest(
+    bodies: &[Shared<RigidBody>],
+    constraints: &mut [Constraint],
+    links: &mut impl Links,
+    rules: Rules,
+) {
+    links.resume();
     for c in &*constraints {
         c.apply(bodies, c.support * c.normal + c.rub);
     }
     for _ in 0..rules.sweeps {
+        let mut changed = links.hold(rules.still);
         for c in &mut *constraints {
-            c.hold(bodies, rules);
+            changed |= c.hold(bodies, rules);
+        }
+        if !changed {
+            break;
         }
     }
     for c in constraints.iter_mut().filter(|c| c.is_against_static()) {
@@ -156,16 +163,8 @@ fn rest(bodies: &[Shared<RigidBody>], constraints: &mut [Constraint], rules: Rul
 }
 // ANCHOR_END: rest
 
-/// Writes shifts and velocities into the bodies, and impulses into the contacts.
-fn end(
-    bodies: &[Shared<RigidBody>],
-    contacts: &mut [Contact],
-    constraints: &[Constraint],
-    shifts: &[Vec3],
-) {
-    for i in touching(bodies.len(), contacts) {
-        bodies[i].borrow_mut().end_resolving(shifts[i]);
-    }
+/// Writes the impulses into the contacts.
+fn report(contacts: &mut [Contact], constraints: &[Constraint]) {
     for (contact, c) in contacts.iter_mut().zip(constraints) {
         contact.impulse = c.impact + c.support * c.normal + c.rub;
         contact.support = c.support;

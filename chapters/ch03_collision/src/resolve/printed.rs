@@ -6,6 +6,7 @@
 use ch00_maths::f32::impulse;
 use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
+use glam::Vec3;
 
 use crate::Contact;
 
@@ -33,8 +34,11 @@ pub fn resolve_printed(bodies: &[Shared<RigidBody>], contacts: &mut [Contact]) {
             body_2.push(r2, -s2 * j * n);
             contact.impulse = s1 * j * n;
         }
-        body_1.end_resolving(s1 * contact.depth * n);
-        body_2.end_resolving(-s2 * contact.depth * n);
+        for (body, share) in [(&mut body_1, s1), (&mut body_2, -s2)] {
+            body.displace(share * contact.depth * n, Vec3::ZERO);
+            let moving = body.moving();
+            body.set_velocity(moving);
+        }
     }
 }
 // ANCHOR_END: printed

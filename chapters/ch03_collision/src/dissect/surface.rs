@@ -1,0 +1,118 @@
+//! The surface of the Minkowski difference as triangles: the sphere of all directions, each
+//! direction taken to its support point. Where the difference has a corner, a whole patch of
+//! directions ends up there; where it is round, the triangles stay small.
+
+use ch00_scenes::SurfacePoint;
+use glam::Vec3;
+
+use crate::narrow::support_point::{Core, Vertex};
+
+/// Each edge of an octahedron is divided into so many.
+const PIECES: i8 = 32;
+
+/// A triangle of the surface that is lower than this share of the whole isn't worth drawing.
+const THINNEST: f32 = 1e-5;
+
+/// The surface of a − b, both rounded by `radius` together.
+pub fn surface(a: &Core, b: &Core, radius: f32) -> Vec<[SurfacePoint; 3]> {
+    let extent = a.reach() + b.reach() + radius;
+    let point = |direction: Vec3| {
+        let normal = direction.normalize();
+        let at = Vertex::support(a, b, normal).point + radius * normal;
+        (at, normal)
+    };
+    let mut triangles = Vec::new();
+    for corners in directions() {
+        let corners = corners.map(point);
+        let [p, q, r] = corners.map(|corner| corner.0);
+        let across = (q - p).cross(r - p);
+        if across.length() < THINNEST * extent * extent {
+            continue;
+        }
+        // Neighbouring directions that end up far apart span a flat part.
+        let longest = p.distance(q).max(q.distance(r)).max(r.distance(p));
+        let is_flat = longest > 4.0 * extent / f32::from(PIECES);
+        let outward: Vec3 = corners.iter().map(|corner| corner.1).sum();
+        let flat_normal = across.normalize() * across.dot(outward).signum();
+        triangles.push(corners.map(|(at, normal)| SurfacePoint {
+            at: at.to_array(),
+            normal: if is_flat { flat_normal } else { normal }.to_array(),
+        }));
+    }
+    triangles
+}
+
+/// Triangles that cover all directions: an octahedron's faces, divided. Their corners are a hair
+/// off the axes, where boxes can't decide between two corners.
+fn directions() -> Vec<[Vec3; 3]> {
+    let mut all = Vec::new();
+    for octant in 0..8_u8 {
+        let sign = |bit: u8| if octant & bit == 0 { 1.0 } else { -1.0 };
+        let signs = Vec3::new(sign(1), sign(2), sign(4));
+        let corner = |i: i8, j: i8| {
+            let [x, y, z] = [i, j, PIECES - i - j].map(f32::from);
+            signs * Vec3::new(x, y, z) + Vec3::new(1.1e-3, 2.3e-3, 3.7e-3)
+        };
+        for i in 0..PIECES {
+            for j in 0..PIECES - i {
+                all.push([corner(i, j), corner(i + 1, j), corner(i, j + 1)]);
+                if i + j + 2 <= PIECES {
+                    all.push([corner(i + 1, j + 1), corner(i, j + 1), corner(i + 1, j)]);
+                }
+            }
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use ch00_maths::f32::shape::Shape;
+    use glam::Quat;
+
+    use super::*;
+    use crate::narrow::Placed;
+
+    fn cores(one: &Shape, two: &Shape) -> (Core, Core) {
+        let at = |shape, p| Placed {
+            shape,
+            p,
+            q: Quat::IDENTITY,
+            p_before: p,
+        };
+        Core::pair(&at(one, Vec3::new(3.0, 0.0, 0.0)), &at(two, Vec3::ZERO))
+    }
+
+    fn area(surface: &[[SurfacePoint; 3]]) -> f32 {
+        let area_of = |corners: &[SurfacePoint; 3]| {
+            let [p, q, r] = corners.map(|corner| Vec3::from(corner.at));
+            0.5 * (q - p).cross(r - p).length()
+        };
+        surface.iter().map(area_of).sum()
+    }
+
+    #[test]
+    fn the_difference_of_two_boxes_is_a_box_of_all_their_edges() {
+        let half = |x, y, z| Shape::Box {
+            half_extents: Vec3::new(x, y, z),
+        };
+        let (a, b) = cores(&half(0.5, 0.2, 0.1), &half(1.0, 0.3, 0.4));
+        let surface = surface(&a, &b, 0.0);
+        // 3 × 1 × 1 m.
+        assert!((area(&surface) - 14.0).abs() < 1e-3, "{}", area(&surface));
+    }
+
+    #[test]
+    fn the_difference_of_two_balls_is_a_ball_of_both_radii() {
+        let ball = |radius| Shape::Sphere { radius };
+        let (a, b) = cores(&ball(0.3), &ball(0.2));
+        let surface = surface(&a, &b, a.radius + b.radius);
+        for point in surface.iter().flatten() {
+            let from_centre = Vec3::from(point.at) - Vec3::new(3.0, 0.0, 0.0);
+            assert!((from_centre.length() - 0.5).abs() < 1e-6);
+            assert!(from_centre.dot(point.normal.into()) > 0.499);
+        }
+        // π 1² m², a little less for the flat triangles.
+        assert!((area(&surface) - std::f32::consts::PI).abs() < 0.03);
+    }
+}

@@ -1,0 +1,45 @@
+//! What holds bodies together besides contacts. This chapter has none; chapter 4's joints are.
+
+// ANCHOR: links
+/// Constraints that are resolved together with the contacts, in the same sweeps.
+pub trait Links {
+    /// Calls `visit` with the index of every body that they hold.
+    fn each_body(&self, visit: impl FnMut(usize));
+
+    /// Works out what stays the same while a step of `dt` seconds is resolved.
+    fn prepare(&mut self, dt: f32);
+
+    /// Nudges the bodies to where they belong; says whether anything was left to do.
+    fn part(&mut self) -> bool;
+
+    /// Begins with the impulses of the last step.
+    fn resume(&mut self);
+
+    /// Mends the impulses once; says whether a relative velocity was off by more than `still`, m/s.
+    fn hold(&mut self, still: f32) -> bool;
+
+    /// Notes how far the bodies, now in their places, are from where they belong.
+    fn finish(&mut self);
+}
+// ANCHOR_END: links
+
+/// No links.
+pub struct NoLinks;
+
+impl Links for NoLinks {
+    fn each_body(&self, _visit: impl FnMut(usize)) {}
+
+    fn prepare(&mut self, _dt: f32) {}
+
+    fn part(&mut self) -> bool {
+        false
+    }
+
+    fn resume(&mut self) {}
+
+    fn hold(&mut self, _still: f32) -> bool {
+        false
+    }
+
+    fn finish(&mut self) {}
+}

@@ -1,0 +1,131 @@
+//! The distance constraint: a rod without mass between a point of the parent and one of the child.
+//! Report 9.2.
+
+use ch00_maths::f32::impulse::{relative_velocity, response};
+use ch00_maths::f32::joint::distance_correction;
+use ch02_rigid_bodies::RigidBody;
+use glam::Vec3;
+
+use super::SMALL_GAP;
+
+// ANCHOR: distance
+/// 0 = |d| − l.
+pub struct DistanceConstraint {
+    offset_parent: Vec3,
+    offset_child: Vec3,
+    /// l, m.
+    length: f32,
+    /// While contacts are resolved: t₁, t₂, the unit vector of d, |d| − l, and the response along d.
+    t1: Vec3,
+    t2: Vec3,
+    along: Vec3,
+    stretch: f32,
+    response: f32,
+    /// The stretch's rate in the middle of the last step, m/s.
+    parted: f32,
+    /// What the parent received along d in the last step, N s.
+    impulse: f32,
+    /// The stretch that the last step left, m.
+    left: f32,
+}
+// ANCHOR_END: distance
+
+impl DistanceConstraint {
+    /// Ties a point of one body to a point of another, m, each in its body's coordinates.
+    #[must_use]
+    pub fn new(offset_parent: Vec3, offset_child: Vec3, length: f32) -> Self {
+        Self {
+            offset_parent,
+            offset_child,
+            length,
+            t1: Vec3::ZERO,
+            t2: Vec3::ZERO,
+            along: Vec3::ZERO,
+            stretch: 0.0,
+            response: 0.0,
+            parted: 0.0,
+            impulse: 0.0,
+            left: 0.0,
+        }
+    }
+
+    /// t₁ and t₂ where the bodies are now; gives d.
+    fn locate(&mut self, parent: &RigidBody, child: &RigidBody) -> Vec3 {
+        self.t1 = parent.orientation() * self.offset_parent;
+        self.t2 = child.orientation() * self.offset_child;
+        (parent.position() + self.t1) - (child.position() + self.t2)
+    }
+
+    // ANCHOR: correct
+    /// Brings the points back to their distance. Says whether they were off.
+    pub fn correct(&mut self, parent: &mut RigidBody, child: &mut RigidBody) -> bool {
+        let d = self.locate(parent, child);
+        let length = self.length + self.left;
+        if (d.length() - length).abs() < SMALL_GAP {
+            return false;
+        }
+        let (mass_1, mass_2) = (*parent.answers(), *child.answers());
+        let nudge = distance_correction(&mass_1, self.t1, &mass_2, self.t2, d, length);
+        parent.displace_by(self.t1, nudge);
+        child.displace_by(self.t2, -nudge);
+        true
+    }
+    // ANCHOR_END: correct
+
+    /// Works out what stays the same while contacts are resolved.
+    pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody) {
+        let d = self.locate(parent, child);
+        self.along = d.normalize_or(Vec3::Y);
+        self.stretch = d.length() - self.length;
+        let (mass_1, mass_2) = (parent.answers(), child.answers());
+        self.response = response(mass_1, self.t1, mass_2, self.t2, self.along);
+        let v_r = relative_velocity(parent.moved(), self.t1, child.moved(), self.t2);
+        self.parted = v_r.dot(self.along);
+    }
+
+    /// Nudges the points to their distance; says whether they were off.
+    pub fn part(&self, parent: &mut RigidBody, child: &mut RigidBody) -> bool {
+        let moved = parent.nudged(self.t1) - child.nudged(self.t2);
+        let left = self.stretch + self.along.dot(moved);
+        if left.abs() < SMALL_GAP {
+            return false;
+        }
+        let nudge = self.along * (-left / self.response);
+        parent.nudge(self.t1, nudge);
+        child.nudge(self.t2, -nudge);
+        true
+    }
+
+    // ANCHOR: hold
+    /// Begins with what held them in the last step.
+    pub fn resume(&self, parent: &mut RigidBody, child: &mut RigidBody) {
+        parent.push(self.t1, self.impulse * self.along);
+        child.push(self.t2, -self.impulse * self.along);
+    }
+
+    /// Keeps the rod as long as it is. Gives how fast it was changing, m/s.
+    pub fn hold(&mut self, parent: &mut RigidBody, child: &mut RigidBody) -> f32 {
+        let v_r = relative_velocity(parent.moving(), self.t1, child.moving(), self.t2);
+        let off = v_r.dot(self.along) + self.parted;
+        let change = -off / self.response;
+        parent.push(self.t1, change * self.along);
+        child.push(self.t2, -change * self.along);
+        self.impulse += change;
+        off.abs()
+    }
+    // ANCHOR_END: hold
+
+    /// Notes the stretch that is left.
+    pub fn finish(&mut self, parent: &RigidBody, child: &RigidBody) {
+        self.left = self.locate(parent, child).length() - self.length;
+    }
+
+    /// The two points in the world, m.
+    #[must_use]
+    pub fn points(&self, parent: &RigidBody, child: &RigidBody) -> (Vec3, Vec3) {
+        (
+            parent.position() + parent.orientation() * self.offset_parent,
+            child.position() + child.orientation() * self.offset_child,
+        )
+    }
+}

@@ -1,0 +1,137 @@
+//! Chapter 4's engine: chapter 3's level of bodies that collide, and the joints between them.
+
+use ch00_scenes::{
+    Added, Body, Column, ContactPoint, Counters, Drawing, Engine, EngineEntry, EngineInfo, Layer,
+    LoadError, PassTime, Pull, Scene, Settings, State,
+};
+use ch02_rigid_bodies::{METHODS, Method};
+use ch03_collision::{CollisionEngine, PassClock};
+
+use crate::Assembly;
+
+/// Chapter 4's entry in a list of engines.
+pub const ENGINE: EngineEntry = EngineEntry {
+    name: "objects",
+    chapter: "ch04_ragdolls",
+    methods: METHODS,
+    load,
+};
+
+/// A level of rigid bodies with joints.
+pub struct RagdollEngine {
+    level: CollisionEngine,
+    joints: Assembly,
+    times: Vec<PassTime>,
+}
+
+/// Loads any scene; one of orbits alone goes to chapter 1.
+fn load(scene: &Scene, settings: &Settings) -> Result<Box<dyn Engine>, LoadError> {
+    if !scene.orbits.is_empty() {
+        return (ch01_hierarchy::ENGINE.load)(scene, &Settings::defaults());
+    }
+    Ok(Box::new(RagdollEngine::load(scene, settings)?))
+}
+
+impl RagdollEngine {
+    /// Loads a scene without orbits.
+    ///
+    /// # Errors
+    /// [`LoadError`] for an unknown method and a setting that it lacks.
+    pub fn load(scene: &Scene, settings: &Settings) -> Result<Self, LoadError> {
+        let mut level = CollisionEngine::load_bodies(&ENGINE, scene, settings)?;
+        level.ignore_pairs(scene.joints.iter().map(ch00_scenes::Joint::bodies));
+        let joints = Assembly::of(scene, level.bodies());
+        Ok(Self {
+            level,
+            joints,
+            times: Vec::new(),
+        })
+    }
+
+    /// The joints.
+    #[must_use]
+    pub fn joints(&self) -> &Assembly {
+        &self.joints
+    }
+
+    // ANCHOR: constraints
+    /// The report's `constraintUpdate` of every ragdoll.
+    fn constraint_update(&mut self) {
+        match self.level.method() {
+            Method::Printed => self.joints.constraint_update_printed(),
+            Method::Corrected => self.joints.constraint_update(self.level.rules().sweeps),
+        }
+    }
+    // ANCHOR_END: constraints
+}
+
+impl Engine for RagdollEngine {
+    fn info(&self) -> EngineInfo {
+        self.level.info()
+    }
+
+    // ANCHOR: step
+    fn step(&mut self, dt: f32) {
+        let mut clock = PassClock::start();
+        self.level.update_objects(dt);
+        clock.note("objects update");
+        self.constraint_update();
+        clock.note("constraint update");
+        self.level.gather_objects();
+        clock.note("objects gather");
+        self.level.find_pairs(dt);
+        clock.note("broad phase");
+        self.level.find_contacts(dt);
+        clock.note("narrow phase");
+        self.level.resolve(&mut self.joints, dt);
+        clock.note("resolve");
+        self.level.place_nodes();
+        clock.note("scene graph");
+        self.times = clock.times();
+    }
+    // ANCHOR_END: step
+
+    fn read_state(&self, state: &mut State) {
+        self.level.read_state(state);
+    }
+
+    fn write_state(&mut self, state: &State, dt: f32) {
+        self.level.write_state(state, dt);
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        self.level.columns()
+    }
+
+    fn contacts(&self) -> Vec<ContactPoint> {
+        self.level.contacts()
+    }
+
+    fn counters(&self) -> Counters {
+        self.level.counters()
+    }
+
+    fn pass_times(&self) -> Vec<PassTime> {
+        self.times.clone()
+    }
+
+    fn explain(&self) -> String {
+        self.level.explain()
+    }
+
+    fn layer(&self, layer: Layer) -> Drawing {
+        self.level.layer(layer)
+    }
+
+    fn layers(&self) -> &'static [Layer] {
+        self.level.layers()
+    }
+
+    fn add_body(&mut self, body: &Body, dt: f32) -> Added {
+        self.level.add_body(body, dt)
+    }
+
+    fn pull(&mut self, pull: Option<Pull>) {
+        self.level.pull(pull);
+    }
+}

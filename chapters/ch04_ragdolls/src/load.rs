@@ -1,0 +1,263 @@
+//! From a scene's list of joints to ragdolls: which joints make trees, and what is left.
+
+use ch00_scenes::{Joint, Scene};
+use ch01_hierarchy::Shared;
+use ch02_rigid_bodies::RigidBody;
+use ch03_collision::Links;
+use glam::{DQuat, DVec3};
+
+use crate::{AngleLimits, JointSpec, Ragdoll, RigidBone, RigidJoint};
+
+// ANCHOR: assembly
+/// All joints of a scene.
+#[derive(Default)]
+pub struct Assembly {
+    /// The trees: ragdolls, chains, whatever hangs on something in one way only.
+    pub ragdolls: Vec<Ragdoll>,
+    /// Joints that close a loop, such as the second pin of a door, in the scene's order.
+    pub loops: Vec<RigidJoint>,
+}
+// ANCHOR_END: assembly
+
+impl Assembly {
+    /// Makes the joints of a scene. Two static bodies need none.
+    #[must_use]
+    pub fn of(scene: &Scene, bodies: &[Shared<RigidBody>]) -> Self {
+        let mut assembly = Self::default();
+        let parent_joint = tree_joints(scene);
+        let children = children_of(scene, &parent_joint);
+        let make = |j: usize| make_joint(&scene.joints[j], bodies);
+        for root in 0..bodies.len() {
+            if parent_joint[root].is_none() && !children[root].is_empty() {
+                let ragdoll = grow(root, &children, scene, bodies, &make);
+                assembly.ragdolls.push(ragdoll);
+            }
+        }
+        for (j, joint) in scene.joints.iter().enumerate() {
+            let (a, b) = joint.bodies();
+            let both_static = scene.bodies[a].is_static() && scene.bodies[b].is_static();
+            if parent_joint[b] != Some(j) && !both_static {
+                assembly.loops.push(make(j));
+            }
+        }
+        assembly
+    }
+
+    // ANCHOR: update
+    /// Puts all bodies back where their joints want them.
+    pub fn constraint_update(&mut self, sweeps: u32) {
+        for ragdoll in &mut self.ragdolls {
+            ragdoll.constraint_update(sweeps);
+        }
+        if !self.loops.is_empty() {
+            self.close_loops(sweeps);
+        }
+    }
+    // ANCHOR_END: update
+
+    /// A loop needs all of its joints in the same sweep.
+    fn close_loops(&mut self, sweeps: u32) {
+        for joint in &self.loops {
+            joint.bodies().0.borrow_mut().weigh();
+            joint.bodies().1.borrow_mut().weigh();
+        }
+        for _ in 0..sweeps {
+            let mut moved = false;
+            for joint in self.joints_mut() {
+                moved |= joint.correct();
+            }
+            if !moved {
+                break;
+            }
+        }
+    }
+
+    /// The same as printed.
+    pub fn constraint_update_printed(&mut self) {
+        for ragdoll in &mut self.ragdolls {
+            ragdoll.constraint_update_printed();
+        }
+        for joint in &mut self.loops {
+            joint.correct_printed();
+        }
+    }
+
+    /// All joints: those of the trees, then those that close loops.
+    pub fn joints(&self) -> impl Iterator<Item = &RigidJoint> {
+        let trees = self.ragdolls.iter().flat_map(Ragdoll::joints);
+        trees.chain(&self.loops)
+    }
+
+    /// The same, to be changed.
+    pub fn joints_mut(&mut self) -> impl Iterator<Item = &mut RigidJoint> {
+        let trees = self.ragdolls.iter_mut().flat_map(Ragdoll::joints_mut);
+        trees.chain(&mut self.loops)
+    }
+}
+
+// ANCHOR: links
+impl Links for Assembly {
+    fn each_body(&self, mut visit: impl FnMut(usize)) {
+        for joint in self.joints() {
+            visit(joint.indices().0);
+            visit(joint.indices().1);
+        }
+    }
+
+    fn prepare(&mut self, dt: f32) {
+        self.joints_mut().for_each(|joint| joint.prepare(dt));
+    }
+
+    fn part(&mut self) -> bool {
+        self.joints_mut()
+            .fold(false, |moved, joint| moved | joint.part())
+    }
+
+    fn resume(&mut self) {
+        self.joints_mut().for_each(RigidJoint::resume);
+    }
+
+    fn hold(&mut self, still: f32) -> bool {
+        self.joints_mut()
+            .fold(false, |changed, joint| changed | joint.hold(still))
+    }
+
+    fn finish(&mut self) {
+        self.joints_mut().for_each(RigidJoint::finish);
+    }
+}
+// ANCHOR_END: links
+
+// ANCHOR: tree
+/// The joint by which each body hangs on its parent, if it hangs on something in one way only and
+/// doesn't, after however many parents, hang on itself.
+fn tree_joints(scene: &Scene) -> Vec<Option<usize>> {
+    let mut joints = vec![None; scene.bodies.len()];
+    let mut hung = vec![0; scene.bodies.len()];
+    for (j, joint) in scene.joints.iter().enumerate() {
+        let child = joint.bodies().1;
+        joints[child] = Some(j);
+        hung[child] += 1;
+    }
+    for (i, joint) in joints.iter_mut().enumerate() {
+        if hung[i] != 1 || scene.bodies[i].is_static() {
+            *joint = None;
+        }
+    }
+    for start in 0..joints.len() {
+        let parent = |i: usize| joints[i].map(|j: usize| scene.joints[j].bodies().0);
+        let mut above = parent(start);
+        let mut walked = 0;
+        while let Some(i) = above.filter(|&i| i != start && walked <= joints.len()) {
+            walked += 1;
+            above = parent(i);
+        }
+        if above == Some(start) {
+            joints[start] = None;
+        }
+    }
+    joints
+}
+// ANCHOR_END: tree
+
+/// The tree joints below each body, in the scene's order.
+fn children_of(scene: &Scene, parent_joint: &[Option<usize>]) -> Vec<Vec<usize>> {
+    let mut children = vec![Vec::new(); scene.bodies.len()];
+    for (j, joint) in scene.joints.iter().enumerate() {
+        let (a, b) = joint.bodies();
+        if parent_joint[b] == Some(j) {
+            children[a].push(j);
+        }
+    }
+    children
+}
+
+/// Grows the tree below a root, branch by branch.
+fn grow(
+    root: usize,
+    children: &[Vec<usize>],
+    scene: &Scene,
+    bodies: &[Shared<RigidBody>],
+    make: &impl Fn(usize) -> RigidJoint,
+) -> Ragdoll {
+    let mut ragdoll = Ragdoll::new(RigidBone {
+        body: bodies[root].clone(),
+        index: root,
+        parent: None,
+        children: Vec::new(),
+    });
+    let mut open: Vec<_> = children[root].iter().rev().map(|&j| (0, j)).collect();
+    while let Some((parent, j)) = open.pop() {
+        let bone = ragdoll.grow(parent, make(j));
+        let child = scene.joints[j].bodies().1;
+        open.extend(children[child].iter().rev().map(|&j| (bone, j)));
+    }
+    ragdoll
+}
+
+/// A joint of the scene in the engine's precision.
+fn make_joint(joint: &Joint, bodies: &[Shared<RigidBody>]) -> RigidJoint {
+    let (a, b) = joint.bodies();
+    let of = |i: usize| (i, bodies[i].clone());
+    RigidJoint::new(of(a), of(b), spec_of(joint))
+}
+
+fn spec_of(joint: &Joint) -> JointSpec {
+    let (anchor_a, anchor_b) = joint.anchors();
+    let pinned = JointSpec {
+        offset_parent: anchor_a.as_vec3(),
+        offset_child: anchor_b.as_vec3(),
+        distance: None,
+        limits: None,
+        rest: None,
+    };
+    match *joint {
+        Joint::Ball {
+            cone,
+            twist,
+            limits,
+            rest,
+            ..
+        } => JointSpec {
+            limits: match limits {
+                Some(limits) => Some(AngleLimits::PitchYawRoll {
+                    pitch: single(limits.pitch),
+                    yaw: single(limits.yaw),
+                    roll: single(limits.roll),
+                }),
+                None if cone.is_none() && twist.is_none() => None,
+                None => Some(AngleLimits::ConeTwist {
+                    cone: cone.map(|cone| cone as f32),
+                    twist: twist.map(single),
+                }),
+            },
+            rest: rest.map(|q: DQuat| q.as_quat()),
+            ..pinned
+        },
+        Joint::Distance { length, .. } => JointSpec {
+            distance: Some(length as f32),
+            ..pinned
+        },
+        Joint::Hinge {
+            axis_a,
+            axis_b,
+            range,
+            ..
+        } => JointSpec {
+            limits: Some(AngleLimits::Hinge {
+                axis_parent: unit(axis_a),
+                axis_child: unit(axis_b),
+                range: range.map(single),
+            }),
+            ..pinned
+        },
+    }
+}
+
+fn single([low, high]: [f64; 2]) -> [f32; 2] {
+    [low as f32, high as f32]
+}
+
+fn unit(axis: DVec3) -> glam::Vec3 {
+    axis.normalize().as_vec3()
+}

@@ -1,0 +1,37 @@
+//! Chapter 4's demo: ragdolls.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ch00_shell::main(&ch00_shell::Chapter {
+        name: "ch04_ragdolls",
+        title: "4. Ragdolls",
+        about: "Stacked ragdolls: the report's second demo. A door, a chain and a cradle.",
+        engines: &[ch04_ragdolls::ENGINE],
+        default_scene: "ragdolls",
+        scenes: &[
+            "ragdolls",
+            "door",
+            "door_pins",
+            "chain",
+            "chain_hanging",
+            "cradle",
+            "magnets",
+            "mixed",
+            "stack",
+            "heavy_on_light",
+            "slip_to_roll",
+            "slopes",
+            "incline",
+            "slide",
+            "oblique",
+            "tunnelling",
+            "balls",
+            "pair",
+            "bounce",
+            "bounce_half",
+            "tops",
+            "orrery",
+        ],
+    })
+}
