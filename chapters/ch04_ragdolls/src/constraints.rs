@@ -13,7 +13,7 @@ mod pin;
 
 pub use angle::AngleConstraint;
 pub use distance::DistanceConstraint;
-pub use limits::AngleLimits;
+pub use limits::{AngleLimits, Bound, Row};
 pub use pin::PinConstraint;
 
 /// A gap, m, that is closed enough.

@@ -1,13 +1,13 @@
 //! Chapter 4's engine: chapter 3's level of bodies that collide, and the joints between them.
 
 use ch00_scenes::{
-    Added, Body, Column, ContactPoint, Counters, Drawing, Engine, EngineEntry, EngineInfo, Layer,
-    LoadError, PassTime, Pull, Scene, Settings, State,
+    Added, Body, Column, ContactPoint, Counters, Dissection, Drawing, Engine, EngineEntry,
+    EngineInfo, Layer, LoadError, PassTime, Pull, Scene, Settings, State,
 };
 use ch02_rigid_bodies::{METHODS, Method};
 use ch03_collision::{CollisionEngine, PassClock};
 
-use crate::Assembly;
+use crate::{Assembly, layers};
 
 /// Chapter 4's entry in a list of engines.
 pub const ENGINE: EngineEntry = EngineEntry {
@@ -97,6 +97,7 @@ impl Engine for RagdollEngine {
 
     fn write_state(&mut self, state: &State, dt: f32) {
         self.level.write_state(state, dt);
+        self.joints.forget();
     }
 
     fn columns(&self) -> Vec<Column> {
@@ -116,15 +117,37 @@ impl Engine for RagdollEngine {
     }
 
     fn explain(&self) -> String {
-        self.level.explain()
+        let sweeps = match self.level.method() {
+            Method::Printed => "one walk, as printed".to_owned(),
+            Method::Corrected => format!(
+                "at most {} sweeps; with the contacts again as impulses and as nudges",
+                self.level.rules().sweeps
+            ),
+        };
+        format!(
+            "{}Joints, after the objects' update: {} trees with {} joints, and {} joints that close loops; \
+             {sweeps}. Bodies that a joint connects don't collide.\n",
+            self.level.explain(),
+            self.joints.ragdolls.len(),
+            self.joints.joints().count() - self.joints.loops.len(),
+            self.joints.loops.len(),
+        )
     }
 
     fn layer(&self, layer: Layer) -> Drawing {
-        self.level.layer(layer)
+        match layer {
+            Layer::JointFrames => layers::frames(&self.joints),
+            Layer::Limits => layers::limits(&self.joints),
+            _ => self.level.layer(layer),
+        }
     }
 
     fn layers(&self) -> &'static [Layer] {
-        self.level.layers()
+        &Layer::ALL
+    }
+
+    fn dissect(&self, a: usize, b: usize, step: usize) -> Option<Dissection> {
+        self.level.dissect(a, b, step)
     }
 
     fn add_body(&mut self, body: &Body, dt: f32) -> Added {

@@ -6,6 +6,7 @@
 
 mod constraints;
 mod engine;
+mod layers;
 mod load;
 mod ragdoll;
 mod rigid_bone;

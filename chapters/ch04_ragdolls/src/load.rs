@@ -82,6 +82,11 @@ impl Assembly {
         }
     }
 
+    /// Forgets what the last step left, since the bodies have been put elsewhere.
+    pub fn forget(&mut self) {
+        self.joints_mut().for_each(RigidJoint::forget);
+    }
+
     /// All joints: those of the trees, then those that close loops.
     pub fn joints(&self) -> impl Iterator<Item = &RigidJoint> {
         let trees = self.ragdolls.iter().flat_map(Ragdoll::joints);

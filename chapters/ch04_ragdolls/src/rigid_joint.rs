@@ -32,6 +32,7 @@ pub struct RigidJoint {
 }
 
 /// What keeps the two together.
+#[expect(clippy::large_enum_variant, reason = "nearly all joints are pins")]
 enum Link {
     /// A point, and the angles about it.
     Pin(PinConstraint, Option<AngleConstraint>),
@@ -204,5 +205,19 @@ impl RigidJoint {
             }
             Link::Distance(rod) => rod.finish(&parent, &child),
         }
+    }
+
+    /// Forgets the impulses of the last step; the gap and the angles are as they are now.
+    pub fn forget(&mut self) {
+        match &mut self.link {
+            Link::Pin(pin, angle) => {
+                pin.forget();
+                if let Some(angle) = angle {
+                    angle.forget();
+                }
+            }
+            Link::Distance(rod) => rod.forget(),
+        }
+        self.finish();
     }
 }

@@ -205,6 +205,13 @@ impl AngleConstraint {
     }
     // ANCHOR_END: hold
 
+    /// Forgets the impulses of the last step.
+    pub fn forget(&mut self) {
+        for turn in &mut self.rows {
+            turn.impulse = 0.0;
+        }
+    }
+
     /// Notes how far beyond their limits they are left.
     pub fn finish(&mut self, parent: &RigidBody, child: &RigidBody) {
         let rows = self.rows(parent, child);
@@ -215,6 +222,7 @@ impl AngleConstraint {
 }
 
 impl LimitedTurn {
+    /// Whether there is such a limit.
     fn is_bounded(&self) -> bool {
         self.row.bound != Bound::Free
     }

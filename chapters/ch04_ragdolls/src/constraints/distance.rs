@@ -120,6 +120,11 @@ impl DistanceConstraint {
         self.left = self.locate(parent, child).length() - self.length;
     }
 
+    /// Forgets the impulse of the last step.
+    pub fn forget(&mut self) {
+        self.impulse = 0.0;
+    }
+
     /// The two points in the world, m.
     #[must_use]
     pub fn points(&self, parent: &RigidBody, child: &RigidBody) -> (Vec3, Vec3) {

@@ -141,7 +141,7 @@ fn cone_twist(
             bound: Bound::High,
         };
     }
-    if let Some(range) = twist.filter(is_a_limit) {
+    if let Some(range) = twist.filter(|range| is_a_limit(*range)) {
         let angle = decompose(frame.conjugate() * child).twist;
         rows[1] = Row::within(angle, range, twist_axis(y_rest, y));
     }
@@ -162,7 +162,7 @@ fn pitch_yaw_roll(
     let parts = decompose(frame.conjugate() * child);
     let (pitch_axis, roll_axis) = swing_axes(frame, parts.swing, y);
     let row = |angle, range, axis| {
-        if is_a_limit(&range) {
+        if is_a_limit(range) {
             Row::within(angle, range, axis)
         } else {
             Row::FREE
@@ -199,15 +199,17 @@ fn hinge(
             bound: Bound::Fixed,
         }
     };
-    let about = range.filter(is_a_limit).map_or(Row::FREE, |range| {
-        let turned = log((parent * rest).conjugate() * child).dot(axis_child);
-        Row::within(turned, range, b)
-    });
+    let about = range
+        .filter(|range| is_a_limit(*range))
+        .map_or(Row::FREE, |range| {
+            let turned = log((parent * rest).conjugate() * child).dot(axis_child);
+            Row::within(turned, range, b)
+        });
     [across(u), across(w), about]
 }
 // ANCHOR_END: hinge
 
 /// Whether a range leaves anything out: one that goes all the way round doesn't.
-fn is_a_limit(range: &[f32; 2]) -> bool {
+fn is_a_limit(range: [f32; 2]) -> bool {
     range[0] > -PI || range[1] < PI
 }

@@ -89,6 +89,7 @@ impl PinConstraint {
     // ANCHOR: lever
     /// How the two turn about the pin: a unit turning impulse g on the child, and its opposite on the
     /// parent, would also part the points; the lever's impulse at the pin keeps them together.
+    #[must_use]
     pub fn lever(&self, parent: &RigidBody, child: &RigidBody, g: Vec3) -> Lever {
         let (turn_1, turn_2) = (parent.answers().moment(g), child.answers().moment(g));
         let parting = -turn_1.cross(self.t1) - turn_2.cross(self.t2);
@@ -212,6 +213,11 @@ impl PinConstraint {
     pub fn finish(&mut self, parent: &RigidBody, child: &RigidBody) {
         self.locate(parent, child);
         self.left = self.gap;
+    }
+
+    /// Forgets the impulse of the last step.
+    pub fn forget(&mut self) {
+        self.impulse = Vec3::ZERO;
     }
 
     /// The two points in the world, m.
