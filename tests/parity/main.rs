@@ -41,6 +41,15 @@ fn where_nothing_touches_chapter_3_is_chapter_2() {
 }
 
 #[test]
+fn where_nothing_is_joined_chapter_4_is_chapter_3() {
+    for scene in ["balls", "pair", "stack", "magnets_on_a_table", "slopes"] {
+        for method in ["corrected", "printed"] {
+            same_bits(scene, method, ch03_collision::ENGINE, ch04_ragdolls::ENGINE);
+        }
+    }
+}
+
+#[test]
 fn an_orrery_is_the_same_in_every_chapter() {
     let scene = Scene::open("orrery", None, None).expect("a built-in");
     let run = |entry: EngineEntry| {
@@ -50,6 +59,7 @@ fn an_orrery_is_the_same_in_every_chapter() {
     let first = run(ch01_hierarchy::ENGINE);
     assert_eq!(first, run(ch02_rigid_bodies::ENGINE));
     assert_eq!(first, run(ch03_collision::ENGINE));
+    assert_eq!(first, run(ch04_ragdolls::ENGINE));
 }
 
 #[test]

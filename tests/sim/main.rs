@@ -120,6 +120,39 @@ fn balls() {
     check_scene(ch03_collision::ENGINE, "balls", Some(20), "printed");
 }
 
+#[test]
+fn solids_of_every_shape() {
+    check_scene(ch03_collision::ENGINE, "mixed", Some(12), "corrected");
+    check_scene(ch03_collision::ENGINE, "stack", None, "corrected");
+    check_scene(
+        ch03_collision::ENGINE,
+        "magnets_on_a_table",
+        None,
+        "corrected",
+    );
+}
+
+#[test]
+fn friction() {
+    for scene in ["slip_to_roll", "slopes", "incline", "slide", "oblique"] {
+        check_scene(ch03_collision::ENGINE, scene, None, "corrected");
+    }
+}
+
+#[test]
+fn ragdolls() {
+    check_scene(ch04_ragdolls::ENGINE, "ragdolls", Some(2), "corrected");
+    check_scene(ch04_ragdolls::ENGINE, "ragdolls", Some(2), "printed");
+}
+
+#[test]
+fn joints() {
+    for scene in ["door", "door_pins", "cradle"] {
+        check_scene(ch04_ragdolls::ENGINE, scene, None, "corrected");
+    }
+    check_scene(ch04_ragdolls::ENGINE, "chain", Some(10), "corrected");
+}
+
 /// The hash of all bits after a run.
 fn hash(entry: EngineEntry, scene: &str, count: Option<u64>, steps: u32) -> String {
     let data = Scene::open(scene, count, None).expect("a built-in");
@@ -142,6 +175,13 @@ fn long_runs_end_in_the_same_bits() {
         hash(ch02_rigid_bodies::ENGINE, "magnets", None, 600),
         hash(ch03_collision::ENGINE, "pair", None, 600),
         hash(ch03_collision::ENGINE, "balls", Some(200), 600),
+        hash(ch03_collision::ENGINE, "mixed", Some(200), 600),
+        hash(ch03_collision::ENGINE, "stack", Some(10), 600),
+        hash(ch03_collision::ENGINE, "magnets_on_a_table", None, 600),
+        hash(ch04_ragdolls::ENGINE, "ragdolls", Some(5), 600),
+        hash(ch04_ragdolls::ENGINE, "door", None, 600),
+        hash(ch04_ragdolls::ENGINE, "chain", None, 600),
+        hash(ch04_ragdolls::ENGINE, "cradle", None, 600),
     ]
     .concat();
     check("hashes@objects", &all);

@@ -91,6 +91,9 @@ pub struct Drawing {
 /// Straight pieces of a full circle.
 const PIECES: u32 = 48;
 
+/// Sides of discs and rings.
+const ROUND: u32 = 16;
+
 /// Sides of an arrow's head.
 const HEAD_SIDES: u32 = 8;
 
@@ -158,10 +161,12 @@ impl Drawing {
         });
     }
 
-    /// A flat convex shape with this outline.
+    /// A flat convex shape with this outline, which may come back to its beginning.
     pub fn polygon(&mut self, outline: &[Vec3], color: Rgb, opacity: f32) {
         for pair in outline.windows(2).skip(1) {
-            self.face([outline[0], pair[0], pair[1]], color, opacity);
+            if pair[1] != outline[0] {
+                self.face([outline[0], pair[0], pair[1]], color, opacity);
+            }
         }
     }
 
@@ -195,12 +200,12 @@ impl Drawing {
 
     /// A circle about `normal`, a unit vector.
     pub fn ring(&mut self, at: Vec3, normal: Vec3, radius: f32, width: f32, color: Rgb) {
-        self.path(&circle(at, normal, radius, 20), width, color);
+        self.path(&circle(at, normal, radius, ROUND), width, color);
     }
 
     /// A filled circle about `normal`, a unit vector.
     pub fn disc(&mut self, at: Vec3, normal: Vec3, radius: f32, color: Rgb, opacity: f32) {
-        self.polygon(&circle(at, normal, radius, 20), color, opacity);
+        self.polygon(&circle(at, normal, radius, ROUND), color, opacity);
     }
 
     /// Three axes: x vermillion, y green, z blue.
@@ -325,7 +330,7 @@ mod tests {
         drawing.arrow(Vec3::ZERO, Vec3::new(0.0, 2.0, 0.0), 1.0, palette::BLUE);
         assert!((vec(drawing.lines[0].to).y - 1.4).abs() < 1e-6);
         // Eight sides, and a base of eight corners in six triangles.
-        assert_eq!(drawing.faces.len(), 8 + 7);
+        assert_eq!(drawing.faces.len(), 8 + 6);
         let tips = drawing
             .faces
             .iter()

@@ -9,7 +9,7 @@ mod figures;
 mod surface;
 
 use ch00_maths::f32::shape::Shape;
-use ch00_scenes::{Dissection, Drawing, Phase, SurfacePoint};
+use ch00_scenes::{Dissection, Drawing, Phase, SurfacePoint, palette};
 use glam::Vec3;
 
 use crate::narrow::epa;
@@ -18,9 +18,10 @@ use crate::narrow::simplex::Simplex;
 use crate::narrow::support_point::{Core, Vertex, separation};
 use crate::narrow::{Placed, Touch, touch};
 use figures::{draw_gjk, draw_held, draw_polytope, draw_touch};
-use surface::surface;
+use surface::{edges, surface};
 
 const EPA: &str = "EPA";
+const ROUNDED: &str = "GJK, rounded";
 
 /// The share of a sharp solid that is rounded off, as in `shortest_way`.
 const SKIN: f32 = 0.1;
@@ -153,7 +154,7 @@ fn runs_of(a: &Placed, b: &Placed) -> Vec<Run> {
     let mut runs = Vec::new();
     if core_a.radius + core_b.radius == 0.0 {
         let (in_a, in_b) = (core_a.shrunk(SKIN), core_b.shrunk(SKIN));
-        runs.push(gjk_run("GJK, rounded", in_a, in_b).0);
+        runs.push(gjk_run(ROUNDED, in_a, in_b).0);
     }
     let (run, end) = gjk_run("GJK", core_a, core_b);
     runs.push(run);
@@ -291,6 +292,9 @@ impl<'a> Shown<'a> {
     }
 
     fn draw(&mut self, place: usize) {
+        for [from, to] in edges(&self.run.a, &self.run.b) {
+            self.difference.line(from, to, 0.7, palette::GREY);
+        }
         let bounds = self.run.bounds[place];
         match &self.run.looks[place] {
             Look::Gjk {
@@ -304,7 +308,7 @@ impl<'a> Shown<'a> {
             }
             Look::Held { simplex } => {
                 draw_held(self, simplex);
-                self.text = held_words(simplex);
+                self.text = held_words(simplex, self.run);
             }
             Look::Epa {
                 vertices,
@@ -360,6 +364,12 @@ fn gjk_words(
         text += "\nSo v is the nearest point, and GJK ends";
         text += &match run.radii() {
             0.0 => format!(": the solids are {} apart.", mm(high)),
+            skins if run.name == ROUNDED => format!(
+                ": less skins of {}, the rounded solids have a distance of {}. The sharp ones \
+                 have no more.",
+                mm(skins),
+                mm(high)
+            ),
             radii if high < 0.0 => format!(
                 ": less radii of {}, the solids overlap by {}. No need for EPA.",
                 mm(radii),
@@ -377,12 +387,17 @@ fn gjk_words(
     text
 }
 
-fn held_words(simplex: &Simplex) -> String {
+fn held_words(simplex: &Simplex, run: &Run) -> String {
     let held = match simplex.vertices().len() {
         4 => "The tetrahedron holds the origin",
         _ => "The simplex passes through the origin",
     };
-    format!("{held}: some point of a is a point of b, so the two overlap. GJK can't say how deep; EPA goes on from this simplex.")
+    let next = if run.name == ROUNDED {
+        "Even without their skins the two overlap. Next: the sharp solids."
+    } else {
+        "GJK can't say how deep; EPA goes on from this simplex."
+    };
+    format!("{held}: some point of a is a point of b, so the two overlap.\n{next}")
 }
 
 fn epa_words(faces: usize, distance: f32, found: f32, is_last: bool) -> String {
@@ -408,14 +423,15 @@ fn touch_words(touch: Option<&Touch>, way: &str) -> String {
     let [x, y, z] = touch.normal.to_array();
     let count = touch.spots().len();
     let depth = touch.depth();
-    let deep = if depth < 0.0 {
-        format!("a gap of {}", mm(-depth))
-    } else {
-        format!("{} deep", mm(depth))
+    let deep = match (depth < 0.0, count) {
+        (true, 1) => format!("a gap of {}", mm(-depth)),
+        (true, _) => format!("the least gap {}", mm(-depth)),
+        (false, 1) => format!("{} deep", mm(depth)),
+        (false, _) => format!("the deepest {} deep", mm(depth)),
     };
     let points = if count == 1 { "point" } else { "points" };
     format!(
-        "Normal ({x:.3}, {y:.3}, {z:.3}), from b to a; {count} contact {points}, the deepest \
+        "Normal ({x:.3}, {y:.3}, {z:.3}), from b to a; {count} contact {points}, \
          {deep}.\nThe engine gets here {way}."
     )
 }

@@ -22,28 +22,30 @@ const LEVELS: [Rgb; 5] = [
     [0.800, 0.860, 0.180],
 ];
 
-/// The bounding boxes of the bodies that have one: those that overlap another one stand out.
+/// The bounding boxes of the bodies that have one: those that overlap one of another moving body
+/// stand out.
 pub fn boxes(tree: &CollisionTree, bodies: &[Shared<RigidBody>]) -> Drawing {
     let mut drawing = Drawing::default();
-    let mut is_paired = vec![false; tree.boxes().len()];
+    let is_static: Vec<bool> = bodies.iter().map(|body| body.borrow().is_static()).collect();
+    let mut is_paired = vec![false; bodies.len()];
     for &(a, b) in tree.pairs() {
-        is_paired[a] = true;
-        is_paired[b] = true;
+        is_paired[a] |= !is_static[b];
+        is_paired[b] |= !is_static[a];
     }
     for (i, aabb) in tree.boxes().iter().enumerate() {
         if !aabb.min.is_finite() {
             continue;
         }
-        let (width, color) = match (bodies[i].borrow().is_static(), is_paired[i]) {
-            (true, _) => (1.0, palette::GREY),
-            (false, true) => (1.5, palette::VERMILLION),
-            (false, false) => (1.2, palette::BLUE),
+        let (width, color) = match (is_static[i], is_paired[i]) {
+            (true, _) => (0.8, palette::GREY),
+            (false, true) => (1.5, palette::ORANGE),
+            (false, false) => (1.5, palette::BLUE),
         };
         drawing.cuboid(aabb.min, aabb.max, width, color);
     }
-    drawing.explain(palette::BLUE, "box that meets no other");
-    drawing.explain(palette::VERMILLION, "box in a pair: the narrow phase looks");
-    drawing.explain(palette::GREY, "box of a body that can't move");
+    drawing.explain(palette::BLUE, "bounding box that meets none of another moving body");
+    drawing.explain(palette::ORANGE, "one that does: the narrow phase looks");
+    drawing.explain(palette::GREY, "that of a body that can't move");
     drawing
 }
 
@@ -58,7 +60,8 @@ pub fn cells(tree: &CollisionTree) -> Drawing {
     }
     for depth in 0..=deepest {
         let count = cells.iter().filter(|cell| cell.1 == depth).count();
-        let text = format!("level {depth}: {count} cells");
+        let cells = if count == 1 { "cell" } else { "cells" };
+        let text = format!("level {depth}: {count} {cells}");
         drawing.explain(level_color(depth, deepest), text);
     }
     drawing
@@ -75,11 +78,14 @@ fn level_color(depth: u32, deepest: u32) -> Rgb {
 /// How large contacts are drawn: the same from step to step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Scale {
-    /// Mean radius of the bodies that can move, m.
+    /// Mean radius of balls as large as the bodies that can move, m.
     radius: f32,
     /// What carries a body of mean mass for 1/60 s, N s: an arrow as long as `radius`.
     impulse: f32,
 }
+
+/// Volume of a ball of radius 1 m, m³.
+const BALL: f32 = 4.0 / 3.0 * std::f32::consts::PI;
 
 /// An arrow is at most as long as so many mean radii.
 const LONGEST: f32 = 6.0;
@@ -88,7 +94,7 @@ impl Scale {
     fn of(bodies: &[Shared<RigidBody>]) -> Self {
         let (mut radius, mut mass, mut count) = (0.0, 0.0, 0.0_f32);
         for body in bodies.iter().filter(|body| !body.borrow().is_static()) {
-            radius += body.borrow().collider().bounding_radius();
+            radius += (body.borrow().collider().volume() / BALL).powf(1.0 / 3.0);
             mass += body.borrow().mass();
             count += 1.0;
         }
@@ -144,7 +150,7 @@ pub fn contacts(contacts: &[Contact], bodies: &[Shared<RigidBody>]) -> Drawing {
     let unit = scale.impulse;
     drawing.explain(
         IMPULSE,
-        format!("impulse: {unit:.2} N s are as long as a body's mean radius, four times that twice"),
+        format!("impulse; {unit:.2} N s: one mean radius long, 4 times as much: two"),
     );
     drawing.explain(FRICTION, "the part of it that is friction");
     drawing

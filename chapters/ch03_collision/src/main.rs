@@ -25,6 +25,7 @@ fn main() -> ExitCode {
             "bounce_half",
             "tops",
             "magnets",
+            "magnets_on_a_table",
             "orrery",
         ],
     })

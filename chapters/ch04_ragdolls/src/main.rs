@@ -17,6 +17,7 @@ fn main() -> ExitCode {
             "chain_hanging",
             "cradle",
             "magnets",
+            "magnets_on_a_table",
             "mixed",
             "stack",
             "heavy_on_light",

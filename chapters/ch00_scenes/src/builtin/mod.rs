@@ -9,6 +9,7 @@ mod door;
 mod heavy_on_light;
 mod incline;
 mod magnets;
+mod magnets_on_a_table;
 mod mixed;
 mod oblique;
 mod orrery;
@@ -129,6 +130,11 @@ const LIST: &[Entry] = &[
         "magnets",
         "bar magnets that turn, attract and swing about each other",
         magnets::build,
+    ),
+    fixed(
+        "magnets_on_a_table",
+        "bar magnets on a smooth table turn, slide together and hold on to each other",
+        magnets_on_a_table::build,
     ),
     scaled(
         "mixed",

@@ -70,9 +70,11 @@ pub fn draw_polytope(
 ) {
     let size = shown.spread();
     let difference = &mut shown.difference;
+    let mut others_see = false;
     for (i, face) in faces.iter().enumerate() {
         let corners = face.corners.map(|i| vertices[usize::from(i)].point);
         let sees = face.normal.dot(support.point) > face.distance + 1e-5 * size;
+        others_see |= sees && i != nearest;
         let (color, opacity) = match (i == nearest, sees) {
             (true, _) => (NEAREST, 0.55),
             (false, true) => (SEEING, 0.28),
@@ -100,13 +102,15 @@ pub fn draw_polytope(
     difference.explain(POLYTOPE, "polytope");
     difference.explain(NEAREST, "its nearest face");
     difference.explain(SUPPORT, "w, the support point along its normal");
-    difference.explain(SEEING, "other faces that see w");
-    shown.difference.mark(support.point, SUPPORT, "w");
-    shown.mark_bodies(support, SUPPORT, "w");
+    if others_see {
+        difference.explain(SEEING, "other faces that see w");
+    }
     for vertex in &corners {
         shown.mark_bodies(vertex, NEAREST, "");
     }
-    let foot = Simplex::new(corners[0]).with(corners[1]).with(corners[2]);
+    shown.difference.mark(support.point, SUPPORT, "w");
+    shown.mark_bodies(support, SUPPORT, "w");
+    let foot = Simplex::new(&corners);
     let (on_a, on_b) = foot.witnesses();
     shown.draw_gap(on_a, on_b);
 }

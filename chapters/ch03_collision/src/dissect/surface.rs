@@ -2,6 +2,8 @@
 //! direction taken to its support point. Where the difference has a corner, a whole patch of
 //! directions ends up there; where it is round, the triangles stay small.
 
+use std::collections::BTreeMap;
+
 use ch00_scenes::SurfacePoint;
 use glam::Vec3;
 
@@ -11,7 +13,7 @@ use crate::narrow::support_point::{Core, Vertex};
 const PIECES: i8 = 32;
 
 /// A triangle of the surface that is lower than this share of the whole isn't worth drawing.
-const THINNEST: f32 = 1e-5;
+const THINNEST: f32 = 1e-8;
 
 /// The surface of a − b, both rounded by `radius` together.
 pub fn surface(a: &Core, b: &Core, radius: f32) -> Vec<[SurfacePoint; 3]> {
@@ -40,6 +42,31 @@ pub fn surface(a: &Core, b: &Core, radius: f32) -> Vec<[SurfacePoint; 3]> {
         }));
     }
     triangles
+}
+
+/// How often two corners must be neighbours to be the ends of an edge: the diagonal of a flat
+/// part is met once or twice, an edge by all directions between its two flat parts.
+const NEIGHBOURS: usize = 4;
+
+/// The edges of a − b where that is a polytope: pairs of corners. Round parts have none.
+pub fn edges(a: &Core, b: &Core) -> Vec<[Vec3; 2]> {
+    let shortest = 0.02 * (a.reach() + b.reach());
+    let mut met: BTreeMap<[[u32; 3]; 2], usize> = BTreeMap::new();
+    for corners in directions() {
+        let points = corners.map(|direction| Vertex::support(a, b, direction).point);
+        for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+            let mut ends = [points[i], points[j]].map(|p| p.to_array().map(f32::to_bits));
+            ends.sort_unstable();
+            if points[i].distance(points[j]) > shortest {
+                *met.entry(ends).or_default() += 1;
+            }
+        }
+    }
+    // Each side of a triangle is that of two.
+    let often = met.into_iter().filter(|(_, times)| *times >= 2 * NEIGHBOURS);
+    often
+        .map(|(ends, _)| ends.map(|end| Vec3::from(end.map(f32::from_bits))))
+        .collect()
 }
 
 /// Triangles that cover all directions: an octahedron's faces, divided. Their corners are a hair
@@ -100,6 +127,20 @@ mod tests {
         let surface = surface(&a, &b, 0.0);
         // 3 × 1 × 1 m.
         assert!((area(&surface) - 14.0).abs() < 1e-3, "{}", area(&surface));
+    }
+
+    #[test]
+    fn a_boxs_edges_are_found_and_no_diagonals() {
+        let half = Shape::Box {
+            half_extents: Vec3::new(0.5, 0.2, 0.1),
+        };
+        let (a, b) = cores(&half, &Shape::Sphere { radius: 1.0 });
+        let mut lengths: Vec<f32> = edges(&a, &b).iter().map(|[p, q]| p.distance(*q)).collect();
+        lengths.sort_by(f32::total_cmp);
+        assert_eq!(lengths.len(), 12, "{lengths:?}");
+        for (length, expected) in lengths.iter().zip([0.2, 0.2, 0.2, 0.2, 0.4, 0.4, 0.4, 0.4]) {
+            assert!((length - expected).abs() < 1e-6);
+        }
     }
 
     #[test]

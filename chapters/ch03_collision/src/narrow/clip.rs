@@ -65,8 +65,12 @@ impl Clipped {
     }
 
     // ANCHOR: cut
-    /// Without what lies behind the plane through `foot`, whose normal is `inward`.
-    fn cut(&self, foot: Vec3, inward: Vec3, edge: u32) -> Self {
+    /// Takes away what lies behind the plane through `foot`, whose normal is `inward`.
+    fn cut(&mut self, foot: Vec3, inward: Vec3, edge: u32) {
+        let height = |point: &Point| inward.dot(point.at - foot);
+        if self.points.iter().all(|point| height(point) >= 0.0) {
+            return;
+        }
         let mut left = List::default();
         let mut keep = |point| {
             // A polygon that is a little out of plane could be cut more often than a flat one.
@@ -74,10 +78,10 @@ impl Clipped {
                 left.push(point);
             }
         };
-        let height = |point: &Point| inward.dot(point.at - foot);
-        for (i, point) in self.points.iter().enumerate() {
-            let last = &self.points[if i == 0 { self.points.len() - 1 } else { i - 1 }];
-            let (before, here) = (height(last), height(point));
+        let mut last = self.points[self.points.len() - 1];
+        let mut before = height(&last);
+        for (i, &point) in self.points.iter().enumerate() {
+            let here = height(&point);
             let enters = before < 0.0 && here >= 0.0;
             let leaves = before >= 0.0 && here < 0.0;
             if (enters || leaves) && (i > 0 || self.closed) {
@@ -88,10 +92,11 @@ impl Clipped {
                 });
             }
             if here >= 0.0 {
-                keep(*point);
+                keep(point);
             }
+            (last, before) = (point, here);
         }
-        Self { points: left, ..*self }
+        self.points = left;
     }
     // ANCHOR_END: cut
 }
@@ -106,7 +111,7 @@ pub fn clip(feature: &Feature, face: &Feature, normal: Vec3, slack: f32) -> Clip
     for (i, &from) in corners.iter().enumerate() {
         let to = corners[(i + 1) % corners.len()];
         let inward = normal.cross(to - from).normalize_or_zero();
-        left = left.cut(from - slack * inward, inward, (MOST_CORNERS + i) as u32);
+        left.cut(from - slack * inward, inward, (MOST_CORNERS + i) as u32);
     }
     left
 }

@@ -7,8 +7,6 @@
 //! if not, the polytope grows by that point, and the faces which see it are replaced.
 //! [van den Bergen 2001; 2003, 4.3.8]
 
-use std::ops::Deref;
-
 use glam::Vec3;
 
 use super::list::List;
@@ -25,7 +23,7 @@ pub const MOST_FACES: usize = 2 * MOST_VERTICES - 4;
 const MOST_RIM: usize = 3 * MOST_FACES;
 
 /// The depth is known where its bounds differ by this share of it.
-const TOLERANCE: f32 = 3e-5;
+const TOLERANCE: f32 = 1e-5;
 
 /// Rounding of a support point, as a share of its coordinates.
 const ROUNDING: f32 = 4.0 * f32::EPSILON;
@@ -103,8 +101,9 @@ pub fn watched(a: &Core, b: &Core, simplex: &Simplex, mut watch: impl FnMut(&Ste
         if depth < best.depth {
             best = polytope.penetration(&face, depth);
         }
-        best.converged = best.depth - face.distance <= polytope.tolerance(best.depth);
-        if best.converged || !polytope.grow(support) {
+        let known = best.depth - face.distance <= polytope.tolerance(best.depth);
+        best.converged = known || polytope.has(&support);
+        if best.converged || !polytope.grow(nearest, support) {
             break;
         }
     }
@@ -237,34 +236,42 @@ impl Polytope {
         best
     }
 
+    /// Whether a vertex is there already. Then the polytope has all of a − b that matters here, and what
+    /// is left between the bounds is rounding.
+    fn has(&self, vertex: &Vertex) -> bool {
+        self.vertices.iter().any(|known| known.point == vertex.point)
+    }
+
     /// By how much the bounds of a depth may differ at the end, m.
     fn tolerance(&self, depth: f32) -> f32 {
         TOLERANCE * depth + ROUNDING * self.extent
     }
 
     // ANCHOR: grow
-    /// Takes a point in: the faces that see it go, and their rim is joined to it. False if there is
-    /// no room for that, or rounding has torn the rim.
-    fn grow(&mut self, vertex: Vertex) -> bool {
+    /// Takes a point in: the face nearest to the origin goes, with all faces around it that see the point, and
+    /// the rim of the hole is joined to it. False if there is no room for that, or rounding has torn
+    /// the rim.
+    fn grow(&mut self, nearest: usize, vertex: Vertex) -> bool {
         let slack = ROUNDING * self.extent;
         let sees = |face: &Face| face.normal.dot(vertex.point) > face.distance + slack;
-        let mut rim = Rim::default();
-        let mut gone = 0;
-        for face in self.faces.iter().filter(|face| sees(face)) {
-            rim.add(face);
-            gone += 1;
+        let mut seeing = self.faces;
+        seeing.swap_remove(nearest);
+        seeing.retain(sees);
+        let mut hole = Hole::default();
+        hole.add(&self.faces[nearest]);
+        while let Some(next) = seeing.iter().position(|face| hole.touches(face)) {
+            hole.add(&seeing[next]);
+            seeing.swap_remove(next);
         }
-        // Faces that hang together have at most two edges more than they are, by Euler.
-        let torn = rim.len() > gone + 2;
-        let room = !self.vertices.is_full() && self.faces.len() - gone + rim.len() <= MOST_FACES;
-        if torn || !room {
+        let faces = self.faces.len() - hole.faces.len() + hole.rim.len();
+        if self.vertices.is_full() || faces > MOST_FACES {
             return false;
         }
-        self.faces.retain(|face| !sees(face));
+        self.faces.retain(|face| !hole.faces.contains(&face.corners));
         let new = self.vertices.len() as u8;
         self.vertices.push(vertex);
         self.extent = self.extent.max(vertex.point.length());
-        for &(i, j) in rim.iter() {
+        for &[i, j] in hole.rim.iter() {
             let face = self.face([i, j, new]);
             self.faces.push(face);
         }
@@ -297,19 +304,14 @@ impl Polytope {
 
     /// The plane of the face that has the edge from j to i; none of any use if there is no such face yet.
     fn plane_beyond(&self, i: u8, j: u8) -> (Vec3, f32) {
-        let has = |face: &&Face| {
-            let [a, b, c] = face.corners;
-            [(a, b), (b, c), (c, a)].contains(&(j, i))
-        };
-        let beyond = self.faces.iter().find(has);
+        let beyond = self.faces.iter().find(|face| face.edges().contains(&[j, i]));
         beyond.map_or((Vec3::ZERO, f32::INFINITY), |face| (face.normal, face.distance))
     }
 
     /// What follows if `face` belongs to the surface, `depth` from the origin.
     fn penetration(&self, face: &Face, depth: f32) -> Penetration {
         let corners = face.corners.map(|i| self.vertices[usize::from(i)]);
-        let foot = Simplex::new(corners[0]).with(corners[1]).with(corners[2]);
-        let (on_a, on_b) = foot.witnesses();
+        let (on_a, on_b) = Simplex::new(&corners).witnesses();
         Penetration {
             depth,
             normal: -face.normal,
@@ -320,30 +322,39 @@ impl Polytope {
     }
 }
 
-// ANCHOR: rim
-/// The edges between faces that go and faces that stay, from one vertex to the next.
+// ANCHOR: hole
+/// Faces that go, and the edges between them and the faces that stay.
 #[derive(Default)]
-struct Rim(List<(u8, u8), MOST_RIM>);
+struct Hole {
+    faces: List<[u8; 3], MOST_FACES>,
+    rim: List<[u8; 2], MOST_RIM>,
+}
 
-impl Rim {
-    /// Adds the edges of a face that goes. Where the face beyond an edge goes too, it has brought
-    /// the same edge the other way round: that one is within the hole, and both forget it.
+impl Hole {
+    /// Adds a face. Where the face beyond one of its edges has gone before, it has left the same edge the other
+    /// way round: that edge is within the hole now, and forgotten.
     fn add(&mut self, face: &Face) {
-        let [i, j, k] = face.corners;
-        for (from, to) in [(i, j), (j, k), (k, i)] {
-            match self.0.iter().position(|&edge| edge == (to, from)) {
-                Some(at) => self.0.swap_remove(at),
-                None => self.0.push((from, to)),
+        self.faces.push(face.corners);
+        for [from, to] in face.edges() {
+            match self.rim.iter().position(|&edge| edge == [to, from]) {
+                Some(at) => self.rim.swap_remove(at),
+                None => self.rim.push([from, to]),
             }
         }
     }
+
+    /// Whether a face is right beyond the rim.
+    fn touches(&self, face: &Face) -> bool {
+        let mut edges = face.edges().into_iter();
+        edges.any(|[from, to]| self.rim.contains(&[to, from]))
+    }
 }
-// ANCHOR_END: rim
+// ANCHOR_END: hole
 
-impl Deref for Rim {
-    type Target = [(u8, u8)];
-
-    fn deref(&self) -> &Self::Target {
-        &self.0
+impl Face {
+    /// From one corner to the next.
+    fn edges(&self) -> [[u8; 2]; 3] {
+        let [i, j, k] = self.corners;
+        [[i, j], [j, k], [k, i]]
     }
 }

@@ -74,7 +74,7 @@ pub fn gjk(a: &Core, b: &Core, limit: f32) -> Gjk {
 /// [`gjk`], with a look at every iteration.
 pub fn watched(a: &Core, b: &Core, limit: f32, mut watch: impl FnMut(&Step)) -> Gjk {
     let first = Vertex::support(a, b, b.centre - a.centre);
-    let mut simplex = Simplex::new(first);
+    let mut simplex = Simplex::new(&[first]);
     let mut extent = first.point.length();
     let mut highest = f32::NEG_INFINITY;
     for iteration in 0..MOST_ITERATIONS {
@@ -95,14 +95,15 @@ pub fn watched(a: &Core, b: &Core, limit: f32, mut watch: impl FnMut(&Step)) -> 
             return Gjk::Far;
         }
         extent = extent.max(support.point.length());
-        let known = distance - at_least <= TOLERANCE * distance + ROUNDING * extent;
-        let next = simplex.with(support);
-        let stuck = next.nearest().length() >= distance && at_least <= highest;
-        if known || stuck {
+        if distance - at_least <= TOLERANCE * distance + ROUNDING * extent {
             return Gjk::Apart(apart(&simplex, true));
         }
+        let last = simplex;
+        simplex.add(support);
+        if simplex.nearest().length() >= distance && at_least <= highest {
+            return Gjk::Apart(apart(&last, true));
+        }
         highest = highest.max(at_least);
-        simplex = next;
     }
     Gjk::Apart(apart(&simplex, false))
 }

@@ -50,6 +50,12 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         self.count = kept;
     }
 
+    /// Takes the item at `i` out; those behind it move up.
+    pub fn remove(&mut self, i: usize) {
+        self.items.copy_within(i + 1..self.count, i);
+        self.count -= 1;
+    }
+
     /// Takes the item at `i` out and puts the last one there.
     pub fn swap_remove(&mut self, i: usize) {
         self.count -= 1;

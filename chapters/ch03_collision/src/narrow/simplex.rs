@@ -33,42 +33,42 @@ struct Nearest {
 }
 
 impl Simplex {
-    /// The simplex of one vertex.
+    /// The simplex of one to four vertices, without those that its nearest point doesn't need.
+    ///
+    /// # Panics
+    /// If they are more.
     #[must_use]
-    pub fn new(vertex: Vertex) -> Self {
-        Self {
-            vertices: List::of(&[vertex]),
-            nearest: Nearest {
-                point: vertex.point,
-                weights: [1.0, 0.0, 0.0, 0.0],
-            },
-        }
+    pub fn new(vertices: &[Vertex]) -> Self {
+        let mut simplex = Self {
+            vertices: List::of(vertices),
+            nearest: Nearest::default(),
+        };
+        simplex.reduce();
+        simplex
     }
 
-    /// The simplex with one vertex more, but without those that the nearest point doesn't need.
+    /// Takes a vertex in, and drops those that the nearest point doesn't need then.
     ///
     /// # Panics
     /// If it has four already.
-    #[must_use]
-    pub fn with(&self, vertex: Vertex) -> Self {
-        let mut all = *self;
-        all.vertices.push(vertex);
-        let nearest = match all.vertices.len() {
-            2 => all.on_segment([0, 1]),
-            3 => all.on_triangle([0, 1, 2]),
-            _ => all.in_tetrahedron(),
+    pub fn add(&mut self, vertex: Vertex) {
+        self.vertices.push(vertex);
+        self.reduce();
+    }
+
+    fn reduce(&mut self) {
+        self.nearest = match self.vertices.len() {
+            1 => self.at_vertex(0),
+            2 => self.on_segment([0, 1]),
+            3 => self.on_triangle([0, 1, 2]),
+            _ => self.in_tetrahedron(),
         };
-        let mut needed = Self {
-            vertices: List::default(),
-            nearest,
-        };
-        for (vertex, weight) in all.vertices.iter().zip(nearest.weights) {
-            if weight > 0.0 {
-                needed.nearest.weights[needed.vertices.len()] = weight;
-                needed.vertices.push(*vertex);
+        for i in (0..self.vertices.len()).rev() {
+            if self.nearest.weights[i] <= 0.0 {
+                self.vertices.remove(i);
+                self.nearest.weights.copy_within(i + 1.., i);
             }
         }
-        needed
     }
     // ANCHOR_END: simplex
 
@@ -158,21 +158,20 @@ impl Simplex {
     /// face that it is outside of.
     fn in_tetrahedron(&self) -> Nearest {
         let p = [0, 1, 2, 3].map(|i| self.vertices[i].point);
-        let mut heights = [0.0; 4];
+        let mut weights = [0.0; 4];
         let mut outside = [true; 4];
         for (i, [j, k, l]) in FACES.into_iter().enumerate() {
-            let (side, other) = (p[k] - p[j], p[l] - p[j]);
-            let n = side.cross(other);
-            let whole = n.dot(p[i] - p[j]);
-            let size = n.length() * (p[i] - p[j]).length();
-            let height = -n.dot(p[j]);
-            heights[i] = height / whole;
-            outside[i] = whole.abs() <= FLAT * size || height * whole <= 0.0;
+            let n = (p[k] - p[j]).cross(p[l] - p[j]);
+            let edge = p[i] - p[j];
+            let (whole, height) = (n.dot(edge), -n.dot(p[j]));
+            let flat = whole * whole <= FLAT * FLAT * n.length_squared() * edge.length_squared();
+            weights[i] = height / whole;
+            outside[i] = flat || height * whole <= 0.0;
         }
         if outside == [false; 4] {
             return Nearest {
                 point: Vec3::ZERO,
-                weights: heights,
+                weights,
             };
         }
         let faces = FACES

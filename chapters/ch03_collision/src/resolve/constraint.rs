@@ -35,6 +35,8 @@ pub struct Constraint {
     pub(super) gap_speed: f32,
     /// Acceleration with which the bodies are pulled together, m/s².
     pub(super) closing: f32,
+    /// The slowest approach that is an impact, m/s: no slower than what a pull makes of rest in a step.
+    pub(super) slowest_impact: f32,
     /// What a unit impulse changes, along the normal and across it, 1/kg.
     pub(super) response: f32,
     pub(super) response_across: f32,
@@ -60,9 +62,10 @@ impl Constraint {
         let closing = (two.acceleration() - one.acceleration()).dot(n);
         let approach = impulse::relative_velocity(one.moving(), r1, two.moving(), r2).dot(n);
         let speed = surface_speed((-approach).max(0.0), closing, contact.depth.max(0.0));
+        let slowest_impact = rules.restitution_threshold.max(1.5 * closing * dt);
         let restitution = mixed_restitution(material_1.restitution, material_2.restitution);
         // Who bounces starts from the surface; who rests may stay a little inside.
-        let slop = if restitution > 0.0 && speed > rules.restitution_threshold {
+        let slop = if restitution > 0.0 && speed > slowest_impact {
             0.0
         } else {
             rules.slop
@@ -79,6 +82,7 @@ impl Constraint {
             pushed: 0.0,
             gap_speed: (-contact.depth).max(0.0) / dt,
             closing,
+            slowest_impact,
             response: response(n),
             response_across: response(across_1).max(response(across_2)),
             restitution,
@@ -104,13 +108,13 @@ impl Constraint {
     // ANCHOR: impact_speed
     /// The speed of approach at the surface, m/s, if that is an impact. What doesn't bounce needs none:
     /// resting contact stops it.
-    pub fn impact_speed(&self, v_r: Vec3, rules: Rules) -> Option<f32> {
+    pub fn impact_speed(&self, v_r: Vec3) -> Option<f32> {
         let approach = v_r.dot(self.normal);
         if approach >= 0.0 || self.gap_speed > 0.0 || self.restitution == 0.0 {
             return None;
         }
         let speed = surface_speed(-approach, self.closing, self.pushed);
-        (speed > rules.restitution_threshold).then_some(speed)
+        (speed > self.slowest_impact).then_some(speed)
     }
     // ANCHOR_END: impact_speed
 
@@ -173,7 +177,7 @@ impl Constraint {
         let mut hits = [(0, 0.0, 0.0); MOST_SPOTS];
         let mut count = 0;
         for (i, c) in pair.iter().enumerate() {
-            if let Some(speed) = c.impact_speed(c.relative_velocity(bodies), rules) {
+            if let Some(speed) = c.impact_speed(c.relative_velocity(bodies)) {
                 hits[count] = (i, c.restitution * speed, 0.0);
                 count += 1;
             }
@@ -216,7 +220,7 @@ impl Constraint {
     /// worth another sweep.
     pub fn hold(&mut self, bodies: &[Shared<RigidBody>], rules: Rules) -> bool {
         let approach = self.relative_velocity(bodies).dot(self.normal) + self.gap_speed;
-        let comes_fast = approach < self.gap_speed - rules.restitution_threshold;
+        let comes_fast = approach < self.gap_speed - self.slowest_impact;
         if self.restitution > 0.0 && self.gap_speed > 0.0 && comes_fast {
             // It is going to bounce: let it come.
             return false;

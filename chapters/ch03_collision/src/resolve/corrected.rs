@@ -129,7 +129,7 @@ fn bounce(bodies: &[Shared<RigidBody>], constraints: &mut [Constraint], rules: R
     }
     constraints
         .iter()
-        .filter(|c| c.impact_speed(c.relative_velocity(bodies), rules).is_some())
+        .filter(|c| c.impact_speed(c.relative_velocity(bodies)).is_some())
         .count()
 }
 // ANCHOR_END: bounce
