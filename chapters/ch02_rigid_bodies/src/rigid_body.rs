@@ -428,6 +428,12 @@ impl RigidBody {
         self.set_velocity(self.moving);
         self.held_by = held_by;
     }
+
+    /// Says that what holds it holds it from now on only, and not for half a step already.
+    pub fn begin_now(&mut self) {
+        self.held_by.v *= 2.0;
+        self.held_by.omega *= 2.0;
+    }
     // ANCHOR_END: resolving
 
     // ANCHOR: shifting

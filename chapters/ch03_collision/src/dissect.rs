@@ -7,6 +7,7 @@
 
 mod figures;
 mod surface;
+mod words;
 
 use ch00_maths::f32::shape::Shape;
 use ch00_scenes::{Dissection, Drawing, Phase, SurfacePoint, palette};
@@ -19,6 +20,7 @@ use crate::narrow::support_point::{Core, Vertex, separation};
 use crate::narrow::{Placed, Touch, touch};
 use figures::{draw_gjk, draw_held, draw_polytope, draw_touch};
 use surface::{edges, surface};
+use words::{epa_words, gjk_words, held_words, touch_words};
 
 const EPA: &str = "EPA";
 const ROUNDED: &str = "GJK, rounded";
@@ -177,7 +179,10 @@ fn way_of(a: &Placed, b: &Placed, touch: Option<Touch>, runs: &[Run]) -> &'stati
         _ if runs.len() == 1 => "by GJK alone",
         _ => {
             let size = last.a.reach().min(last.b.reach());
-            let rounded = first.bounds.last().map_or(f32::INFINITY, |bounds| bounds[1]);
+            let rounded = first
+                .bounds
+                .last()
+                .map_or(f32::INFINITY, |bounds| bounds[1]);
             let found = touch.map_or(0.0, |touch| separation(&last.a, &last.b, touch.normal));
             if first.radii() > last.radii() && found >= rounded - 1e-4 * size {
                 "by GJK on the rounded solids: their faces are as far apart as these are"
@@ -203,7 +208,10 @@ fn gjk_run(name: &'static str, a: Core, b: Core) -> (Run, Gjk) {
     });
     match end {
         Gjk::Overlapping(simplex) => {
-            let low = run.bounds.last().map_or(f32::NEG_INFINITY, |bounds| bounds[0]);
+            let low = run
+                .bounds
+                .last()
+                .map_or(f32::NEG_INFINITY, |bounds| bounds[0]);
             run.push(Look::Held { simplex }, [low, 0.0]);
         }
         Gjk::Apart(_) | Gjk::Far => {
@@ -332,106 +340,109 @@ impl<'a> Shown<'a> {
     }
 }
 
-/// A length in millimetres, or in metres if it is long.
-fn mm(length: f32) -> String {
-    if length.abs() < 1.0 {
-        format!("{:.2} mm", 1e3 * length)
-    } else {
-        format!("{length:.3} m")
-    }
-}
+#[cfg(test)]
+mod tests {
+    use glam::Quat;
 
-fn gjk_words(
-    simplex: &Simplex,
-    at_least: f32,
-    is_last: bool,
-    [low, high]: [f32; 2],
-    run: &Run,
-) -> String {
-    let carrier = match simplex.vertices().len() {
-        1 => "a vertex",
-        2 => "an edge",
-        _ => "a triangle",
+    use super::*;
+
+    const CUBE: Shape = Shape::Box {
+        half_extents: Vec3::splat(0.5),
     };
-    let distance = simplex.nearest().length();
-    let mut text = format!("v, on {carrier} of the simplex, is {} from the origin. ", mm(distance));
-    text += &if at_least > 0.0 {
-        format!("The plane through w tells that nothing is nearer than {}.", mm(at_least))
-    } else {
-        "w lies beyond the origin: the two may well overlap.".to_owned()
+    const CAPSULE: Shape = Shape::Capsule {
+        radius: 0.2,
+        half_height: 0.5,
     };
-    if is_last {
-        text += "\nSo v is the nearest point, and GJK ends";
-        text += &match run.radii() {
-            0.0 => format!(": the solids are {} apart.", mm(high)),
-            skins if run.name == ROUNDED => format!(
-                ": less skins of {}, the rounded solids have a distance of {}. The sharp ones \
-                 have no more.",
-                mm(skins),
-                mm(high)
-            ),
-            radii if high < 0.0 => format!(
-                ": less radii of {}, the solids overlap by {}. No need for EPA.",
-                mm(radii),
-                mm(-high)
-            ),
-            radii => format!(
-                ": less radii of {}, the solids are {} apart.",
-                mm(radii),
-                mm(high)
-            ),
+
+    /// The two shapes, the first one this far above the second and turned a little.
+    fn above(one: &Shape, two: &Shape, height: f32, step: usize) -> Dissection {
+        let p = Vec3::new(0.0, height, 0.0);
+        let a = Placed {
+            shape: one,
+            p,
+            q: Quat::from_rotation_z(0.3),
+            p_before: p,
         };
-    } else {
-        text += &format!("\nStill unknown: {}. w joins the simplex.", mm(high - low));
+        let b = Placed {
+            shape: two,
+            p: Vec3::ZERO,
+            q: Quat::from_rotation_x(0.2),
+            p_before: Vec3::ZERO,
+        };
+        dissect(&a, &b, step)
     }
-    text
-}
 
-fn held_words(simplex: &Simplex, run: &Run) -> String {
-    let held = match simplex.vertices().len() {
-        4 => "The tetrahedron holds the origin",
-        _ => "The simplex passes through the origin",
-    };
-    let next = if run.name == ROUNDED {
-        "Even without their skins the two overlap. Next: the sharp solids."
-    } else {
-        "GJK can't say how deep; EPA goes on from this simplex."
-    };
-    format!("{held}: some point of a is a point of b, so the two overlap.\n{next}")
-}
+    fn names(dissection: &Dissection) -> Vec<&'static str> {
+        dissection.phases.iter().map(|phase| phase.name).collect()
+    }
 
-fn epa_words(faces: usize, distance: f32, found: f32, is_last: bool) -> String {
-    let mut text = format!(
-        "The polytope has {faces} faces; the nearest is {} from the origin. The support point w \
-         along its normal is {} out: {} further.",
-        mm(distance),
-        mm(found),
-        mm((found - distance).max(0.0))
-    );
-    text += if is_last {
-        "\nNo further: this face is on the surface, and its normal is the shortest way apart."
-    } else {
-        "\nThe faces that see w go, and their rim is joined to w."
-    };
-    text
-}
+    #[test]
+    fn sharp_solids_meet_rounded_first_and_epa_says_how_deep_they_are() {
+        let end = above(&CUBE, &CUBE, 0.8, usize::MAX);
+        assert_eq!(names(&end), [ROUNDED, "GJK", EPA, "Touch"]);
+        assert_eq!(end.bounds.len(), end.steps());
+        let [low, high] = end.bounds[end.steps() - 1];
+        assert!(low == high && low < -0.1, "{low} … {high}");
+        let epa = end.bounds[end.steps() - 2];
+        assert!((epa[0] - low).abs() < 1e-3 && (epa[1] - low).abs() < 1e-3);
+    }
 
-fn touch_words(touch: Option<&Touch>, way: &str) -> String {
-    let Some(touch) = touch else {
-        return "The two are too far apart for a touch.".to_owned();
-    };
-    let [x, y, z] = touch.normal.to_array();
-    let count = touch.spots().len();
-    let depth = touch.depth();
-    let deep = match (depth < 0.0, count) {
-        (true, 1) => format!("a gap of {}", mm(-depth)),
-        (true, _) => format!("the least gap {}", mm(-depth)),
-        (false, 1) => format!("{} deep", mm(depth)),
-        (false, _) => format!("the deepest {} deep", mm(depth)),
-    };
-    let points = if count == 1 { "point" } else { "points" };
-    format!(
-        "Normal ({x:.3}, {y:.3}, {z:.3}), from b to a; {count} contact {points}, \
-         {deep}.\nThe engine gets here {way}."
-    )
+    #[test]
+    fn solids_that_are_apart_need_no_epa() {
+        let end = above(&CUBE, &CUBE, 2.0, usize::MAX);
+        assert_eq!(names(&end), [ROUNDED, "GJK", "Touch"]);
+        let [low, high] = end.bounds[end.steps() - 2];
+        assert!(low > 0.3 && high - low < 1e-4, "{low} … {high}");
+    }
+
+    #[test]
+    fn capsules_overlap_without_their_cores_meeting() {
+        let end = above(&CAPSULE, &CAPSULE, 1.3, usize::MAX);
+        assert_eq!(names(&end), ["GJK", "Touch"]);
+        assert!(end.bounds[end.steps() - 1][1] < 0.0);
+        let last = above(&CAPSULE, &CAPSULE, 1.3, end.steps() - 2);
+        assert!(last.text.contains("No need for EPA"), "{}", last.text);
+        assert!(!last.core.is_empty() && !last.surface.is_empty());
+    }
+
+    #[test]
+    fn every_iteration_has_a_title_words_and_a_drawing() {
+        for (one, two, height) in [(CUBE, CUBE, 0.8), (CAPSULE, CUBE, 0.9), (CUBE, CUBE, 3.0)] {
+            let steps = above(&one, &two, height, 0).steps();
+            for step in 0..steps {
+                let shown = above(&one, &two, height, step);
+                assert_eq!(shown.step, step);
+                assert!(!shown.text.is_empty() && !shown.difference.key.is_empty());
+                assert!(!shown.world.marks.is_empty(), "{}", shown.title);
+            }
+            assert_eq!(above(&one, &two, height, usize::MAX).step, steps - 1);
+        }
+    }
+
+    #[test]
+    fn bounds_only_close_in_while_an_algorithm_runs() {
+        let end = above(&CUBE, &CUBE, 0.8, 0);
+        let mut first = 0;
+        for phase in &end.phases {
+            let run = &end.bounds[first..first + phase.steps];
+            assert!(run.iter().all(|[low, high]| low <= high));
+            assert!(
+                run.windows(2)
+                    .all(|b| b[0][0] <= b[1][0] && b[1][1] <= b[0][1])
+            );
+            first += phase.steps;
+        }
+    }
+
+    #[test]
+    fn vertices_have_the_letters_of_their_arrival() {
+        let shown = above(&CUBE, &CUBE, 0.8, 0);
+        let marks: Vec<&str> = shown
+            .difference
+            .marks
+            .iter()
+            .map(|m| m.text.as_str())
+            .collect();
+        assert_eq!(marks, ["A", "v", "w = B"]);
+    }
 }

@@ -53,7 +53,9 @@ impl CollisionEngine {
             let what = "joints are not modelled yet; chapter 4 (ch04_ragdolls) runs it".to_owned();
             return Err(unsupported(scene, what, Some(0)));
         }
-        Self::load_bodies(&ENGINE, scene, settings)
+        let mut engine = Self::load_bodies(&ENGINE, scene, settings)?;
+        engine.begin(&mut NoLinks, scene.dt as f32);
+        Ok(engine)
     }
 
     /// The same for another engine that is built on this one: joints are its business.
@@ -78,6 +80,28 @@ impl CollisionEngine {
             impacts_left: 0,
             times: Vec::new(),
         })
+    }
+
+    // ANCHOR: begin
+    /// Resolves what touches at the start, before the first step of `dt` seconds. Bodies that begin on a
+    /// floor would else fall for a step before it holds them.
+    pub fn begin(&mut self, links: &mut impl Links, dt: f32) {
+        if self.method == Method::Printed {
+            return;
+        }
+        self.find_pairs(dt);
+        self.find_contacts(dt);
+        self.resolve(links, dt);
+        for body in &self.world.bodies {
+            body.borrow_mut().begin_now();
+        }
+    }
+    // ANCHOR_END: begin
+
+    /// Puts every body where `state` says, and forgets what touched.
+    pub fn place_bodies(&mut self, state: &State, dt: f32) {
+        self.contacts.clear();
+        self.world.write_state(state, dt);
     }
 
     /// The method in use.
@@ -213,8 +237,8 @@ impl Engine for CollisionEngine {
     }
 
     fn write_state(&mut self, state: &State, dt: f32) {
-        self.contacts.clear();
-        self.world.write_state(state, dt);
+        self.place_bodies(state, dt);
+        self.begin(&mut NoLinks, dt);
     }
 
     fn columns(&self) -> Vec<Column> {

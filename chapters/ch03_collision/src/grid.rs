@@ -81,6 +81,7 @@ impl Grid {
         self.sort_into_cells(boxes);
     }
 
+    // ANCHOR: sort_into_cells
     /// Counting sort: how many boxes each cell has, where each cell's boxes end, then each box
     /// to its place, the last first.
     fn sort_into_cells(&mut self, boxes: &[Aabb]) {
@@ -107,6 +108,7 @@ impl Grid {
             self.order[*place as usize] = i;
         }
     }
+    // ANCHOR_END: sort_into_cells
     // ANCHOR_END: build
 
     // ANCHOR: overlapping

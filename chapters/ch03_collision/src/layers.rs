@@ -24,9 +24,13 @@ const LEVELS: [Rgb; 5] = [
 
 /// The bounding boxes of the bodies that have one: those that overlap one of another moving body
 /// stand out.
+#[must_use]
 pub fn boxes(tree: &CollisionTree, bodies: &[Shared<RigidBody>]) -> Drawing {
     let mut drawing = Drawing::default();
-    let is_static: Vec<bool> = bodies.iter().map(|body| body.borrow().is_static()).collect();
+    let is_static: Vec<bool> = bodies
+        .iter()
+        .map(|body| body.borrow().is_static())
+        .collect();
     let mut is_paired = vec![false; bodies.len()];
     for &(a, b) in tree.pairs() {
         is_paired[a] |= !is_static[b];
@@ -43,13 +47,17 @@ pub fn boxes(tree: &CollisionTree, bodies: &[Shared<RigidBody>]) -> Drawing {
         };
         drawing.cuboid(aabb.min, aabb.max, width, color);
     }
-    drawing.explain(palette::BLUE, "bounding box that meets none of another moving body");
+    drawing.explain(
+        palette::BLUE,
+        "bounding box that meets none of another moving body",
+    );
     drawing.explain(palette::ORANGE, "one that does: the narrow phase looks");
     drawing.explain(palette::GREY, "that of a body that can't move");
     drawing
 }
 
 /// The cells of the KD-tree, a colour a level.
+#[must_use]
 pub fn cells(tree: &CollisionTree) -> Drawing {
     let mut drawing = Drawing::default();
     let cells = tree.cells();
@@ -120,6 +128,7 @@ impl Scale {
 /// A disc at each contact, or a ring where there is still a gap; its normal; the impulse along
 /// the normal and the one across it, which is friction. All are drawn as the body that can move
 /// gets them; where both can, as body 1 does.
+#[must_use]
 pub fn contacts(contacts: &[Contact], bodies: &[Shared<RigidBody>]) -> Drawing {
     let mut drawing = Drawing::default();
     let scale = Scale::of(bodies);
@@ -146,7 +155,10 @@ pub fn contacts(contacts: &[Contact], bodies: &[Shared<RigidBody>]) -> Drawing {
         scale.arrow(&mut drawing, point, along, IMPULSE);
         scale.arrow(&mut drawing, point, across, FRICTION);
     }
-    drawing.explain(NORMAL, "contact and its normal; a grey ring while there is a gap");
+    drawing.explain(
+        NORMAL,
+        "contact and its normal; a grey ring while there is a gap",
+    );
     let unit = scale.impulse;
     drawing.explain(
         IMPULSE,
@@ -157,6 +169,7 @@ pub fn contacts(contacts: &[Contact], bodies: &[Shared<RigidBody>]) -> Drawing {
 }
 
 /// The axes of each body that can move.
+#[must_use]
 pub fn frames(bodies: &[Shared<RigidBody>]) -> Drawing {
     let mut drawing = Drawing::default();
     for body in bodies.iter().filter(|body| !body.borrow().is_static()) {
@@ -190,7 +203,11 @@ mod tests {
         let length = |impulse: f32| {
             let mut drawing = Drawing::default();
             scale.arrow(&mut drawing, Vec3::ZERO, impulse * Vec3::X, IMPULSE);
-            drawing.faces.iter().map(|face| face.corners[2][0]).fold(0.0, f32::max)
+            drawing
+                .faces
+                .iter()
+                .map(|face| face.corners[2][0])
+                .fold(0.0, f32::max)
         };
         assert!((length(2.0) - 0.5).abs() < 1e-6);
         assert!((length(8.0) - 1.0).abs() < 1e-6);

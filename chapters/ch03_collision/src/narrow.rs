@@ -8,6 +8,7 @@ pub mod features;
 pub mod gjk;
 pub mod list;
 mod manifold;
+mod patch;
 pub mod segment;
 pub mod shortest_way;
 pub mod simplex;
@@ -16,6 +17,7 @@ mod sphere_capsule;
 mod sphere_cylinder;
 mod sphere_sphere;
 pub mod support_point;
+mod way_back;
 
 pub use capsule_capsule::capsule_capsule;
 pub use manifold::{convex_convex, manifold};
@@ -93,11 +95,13 @@ impl Touch {
         depths.fold(f32::NEG_INFINITY, f32::max)
     }
 
-    /// Moves its points.
-    fn move_by(&mut self, way: Vec3) {
+    /// The same, elsewhere.
+    #[must_use]
+    fn moved_by(mut self, way: Vec3) -> Self {
         for spot in self.spots.iter_mut() {
             spot.point += way;
         }
+        self
     }
 
     /// The same seen from the second shape.

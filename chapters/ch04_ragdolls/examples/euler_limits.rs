@@ -10,13 +10,14 @@ use glam::{DQuat, DVec3, EulerRot};
 /// What the joint allows, degrees: pitch, yaw, roll.
 const LIMITS: [[f64; 2]; 3] = [[-30.0, 150.0], [-60.0, 60.0], [-60.0, 60.0]];
 
-/// Pitch, yaw and roll, degrees: yaw about the bone first named, then pitch, then roll.
+/// Pitch, yaw and roll, degrees, of a turn that is a yaw about y, then a pitch about the new x, then
+/// a roll about the z of both.
 fn euler(turn: DQuat) -> [f64; 3] {
     let (yaw, pitch, roll) = turn.to_euler(EulerRot::YXZ);
     [pitch, yaw, roll].map(f64::to_degrees)
 }
 
-/// The same three of swing and twist: the swing's x, the twist, the swing's z.
+/// The same three as swing and twist: the swing's x, the twist, the swing's z.
 fn swing_twist(turn: DQuat) -> [f64; 3] {
     let parts = decompose(turn);
     [parts.swing.x, parts.twist, parts.swing.z].map(f64::to_degrees)
@@ -38,21 +39,19 @@ fn raised(degrees: f64) -> DQuat {
 }
 
 fn raise_the_arm() {
-    println!("raised  Euler: pitch   yaw  roll        swing and twist");
+    println!("        Euler                    swing and twist");
+    println!("raised  pitch   yaw  roll        pitch   yaw  roll");
     for degrees in [
         0.0, 45.0, 80.0, 87.0, 90.0, 93.0, 100.0, 120.0, 149.0, 155.0,
     ] {
-        let (turn, column) = (raised(degrees), |[pitch, yaw, roll]: [f64; 3]| {
-            format!("{pitch:5.0} {:5.0} {:5.0}", yaw + 0.0, roll + 0.0)
-        });
-        let (by_euler, by_swing) = (euler(turn), swing_twist(turn));
-        println!(
-            "{degrees:4.0}°         {}  {:4}  {}  {}",
-            column(by_euler),
-            verdict(by_euler),
-            column(by_swing),
-            verdict(by_swing)
-        );
+        let columns = |angles: [f64; 3]| {
+            let [pitch, yaw, roll] = angles.map(|angle| angle.round() + 0.0);
+            let verdict = verdict(angles);
+            format!("{pitch:5} {yaw:5} {roll:5}  {verdict:4}")
+        };
+        let turn = raised(degrees);
+        let (by_euler, by_swing) = (columns(euler(turn)), columns(swing_twist(turn)));
+        println!("{degrees:4}°   {by_euler}  {}", by_swing.trim_end());
     }
 }
 
@@ -74,9 +73,9 @@ fn decided_by_the_order(here: EulerRot, there: EulerRot) -> f64 {
     f64::from(beyond) / f64::from(all)
 }
 
-/// By how much an angle may change when the bone turns by one degree.
+/// By how much each angle may change while the bone turns by one degree.
 fn fastest() {
-    println!("tilted  Euler's yaw  twist  pitch and roll of the swing");
+    println!("tilted  Euler's yaw  twist  swing");
     for degrees in [0.0_f64, 45.0, 80.0, 89.0, 90.0, 120.0, 170.0, 179.0] {
         let tilt = degrees.to_radians();
         let of_yaw = 1.0 / tilt.cos().abs();
@@ -90,7 +89,7 @@ fn fastest() {
             }
         };
         let (yaw, twist, swing) = (cell(of_yaw), cell(of_twist), cell(of_swing));
-        println!("{degrees:4.0}°   {yaw:>11} {twist:>6}  {swing:>6}");
+        println!("{degrees:4}°   {yaw:>11} {twist:>6} {swing:>6}");
     }
 }
 

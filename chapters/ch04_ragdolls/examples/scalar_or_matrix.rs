@@ -47,7 +47,8 @@ fn main() {
     let by_matrix = gaps(|mass, t, gap| pin_matrix(mass, t, &POST, DVec3::ZERO).inverse() * -gap);
     println!("visits  one number: along, across  matrix: along, across  (mm)");
     for (visits, (a, b)) in by_number.iter().zip(&by_matrix).enumerate() {
-        let [a, b] = [a, b].map(|gap| 1e3 * *gap);
+        // In millimetres, to a thousandth; and no −0.
+        let [a, b] = [a, b].map(|gap| (1e6 * *gap).round() / 1e3 + DVec3::ZERO);
         println!(
             "{visits:6}  {:17.3}  {:6.3}  {:13.3}  {:6.3}",
             a.x, a.y, b.x, b.y

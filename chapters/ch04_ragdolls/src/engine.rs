@@ -40,7 +40,8 @@ impl RagdollEngine {
     pub fn load(scene: &Scene, settings: &Settings) -> Result<Self, LoadError> {
         let mut level = CollisionEngine::load_bodies(&ENGINE, scene, settings)?;
         level.ignore_pairs(scene.joints.iter().map(ch00_scenes::Joint::bodies));
-        let joints = Assembly::of(scene, level.bodies());
+        let mut joints = Assembly::of(scene, level.bodies());
+        level.begin(&mut joints, scene.dt as f32);
         Ok(Self {
             level,
             joints,
@@ -96,8 +97,9 @@ impl Engine for RagdollEngine {
     }
 
     fn write_state(&mut self, state: &State, dt: f32) {
-        self.level.write_state(state, dt);
+        self.level.place_bodies(state, dt);
         self.joints.forget();
+        self.level.begin(&mut self.joints, dt);
     }
 
     fn columns(&self) -> Vec<Column> {

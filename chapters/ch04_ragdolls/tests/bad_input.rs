@@ -15,7 +15,7 @@ const LIMB: Shape = Shape::Capsule {
 fn on_a_floor(bodies: Vec<Body>) -> Scene {
     let mut scene = Scene::new("bad input");
     let floor = Shape::Box {
-        half_extents: DVec3::new(10.0, 0.5, 10.0),
+        half_extents: DVec3::new(50.0, 0.5, 50.0),
     };
     scene.bodies = vec![Body::new(floor, 0.0, -0.5 * DVec3::Y)];
     scene.bodies.extend(bodies);

@@ -6,9 +6,7 @@ use ch03_collision::narrow::simplex::Simplex;
 use ch03_collision::narrow::support_point::{Core, Hull, Vertex};
 use glam::{Mat3, Vec2, Vec3, vec2};
 
-use crate::svg::{
-    A, B, BOUND, Frame, GREY, NEAREST, SEEING, SIMPLEX, SUPPORT, Svg, TEXT,
-};
+use crate::svg::{A, B, BOUND, Frame, GREY, NEAREST, SEEING, SIMPLEX, SUPPORT, Svg, TEXT};
 use crate::{Look, apart, disc_and_bar, overlapping, triangle, watch};
 
 /// The outline of what has these support points.
@@ -17,7 +15,10 @@ fn outline(support: impl Fn(Vec3) -> Vec3) -> Vec<Vec3> {
     for k in 0..180 {
         let angle = (k as f32 + 0.5) * std::f32::consts::TAU / 180.0;
         let corner = support(Vec3::new(angle.cos(), angle.sin(), 0.0));
-        if corners.last().is_none_or(|last| last.distance(corner) > 1e-4) {
+        if corners
+            .last()
+            .is_none_or(|last| last.distance(corner) > 1e-4)
+        {
             corners.push(corner);
         }
     }
@@ -50,7 +51,11 @@ pub fn minkowski() -> String {
             svg.letter(left.at(core.centre) + vec2(0.0, 5.0), name, TEXT);
         }
         svg.area(&right.all(&difference(&pair)), GREY, 0.16, 1.5);
-        svg.letter(right.at(a.centre - b.centre) + vec2(30.0, 5.0), "a − b", TEXT);
+        svg.letter(
+            right.at(a.centre - b.centre) + vec2(30.0, 5.0),
+            "a − b",
+            TEXT,
+        );
         let way = shortest(&pair);
         svg.line([right.at(Vec3::ZERO), right.at(way.point)], NEAREST, 3.0);
         svg.line([left.at(way.on_a), left.at(way.on_b)], NEAREST, 3.0);
@@ -119,8 +124,13 @@ fn iteration(svg: &mut Svg, frame: Frame, look: &Look) {
     // No difference lies before the line through w.
     let foot = frame.at(v.normalize() * look.at_least);
     let along = (foot - at_w).normalize_or(toward.perp());
-    svg.line([at_w - 30.0 * along, foot + 30.0 * along], BOUND, 2.0);
-    let corners: Vec<Vec2> = look.simplex.vertices().iter().map(|w| frame.at(w.point)).collect();
+    svg.line([at_w - 30.0 * along, foot + 12.0 * along], BOUND, 2.0);
+    let corners: Vec<Vec2> = look
+        .simplex
+        .vertices()
+        .iter()
+        .map(|w| frame.at(w.point))
+        .collect();
     if let [one, other] = corners[..] {
         svg.line([one, other], SIMPLEX, 4.0);
     }
@@ -133,20 +143,24 @@ fn iteration(svg: &mut Svg, frame: Frame, look: &Look) {
     svg.ring(at_w, 6.5, SUPPORT);
     svg.letter(at_v + 17.0 * toward + vec2(0.0, 5.0), "v", NEAREST);
     let side = (at_w - at_v).normalize_or_zero();
-    svg.letter(at_w + 17.0 * (side - 0.3 * toward) + vec2(0.0, 5.0), "w", SUPPORT);
+    svg.letter(
+        at_w + 17.0 * (side - 0.3 * toward) + vec2(0.0, 5.0),
+        "w",
+        SUPPORT,
+    );
 }
 
 /// Three iterations of EPA.
 pub fn epa() -> String {
     let label = "Three iterations of EPA in the plane. A triangle round the origin grows by the furthest point \
                  beyond its nearest edge, twice; the third time nothing lies beyond";
-    let mut svg = Svg::new(vec2(720.0, 300.0), label);
+    let mut svg = Svg::new(vec2(720.0, 250.0), label);
     let pair = overlapping();
     let looks = crate::epa::epa(&pair[0], &pair[1], triangle().vertices());
     for (i, look) in looks.iter().enumerate() {
         let corner = vec2(240.0 * i as f32, 0.0);
         let frame = Frame {
-            origin: corner + vec2(82.0, 175.0),
+            origin: corner + vec2(82.0, 160.0),
             scale: 44.0,
         };
         svg.area(&frame.all(&difference(&pair)), GREY, 0.14, 1.5);
@@ -160,14 +174,24 @@ pub fn epa() -> String {
         let at_w = frame.at(look.support.point);
         let line = frame.at(look.normal * look.at_most());
         if look.at_most() - look.distance > 1e-3 {
-            svg.dashes([line - 60.0 * along.perp(), line + 60.0 * along.perp()], BOUND, 2.0);
+            svg.dashes(
+                [line - 60.0 * along.perp(), line + 60.0 * along.perp()],
+                BOUND,
+                2.0,
+            );
             svg.ring(at_w, 6.5, SUPPORT);
             svg.letter(at_w + 16.0 * along + vec2(10.0, 5.0), "w", SUPPORT);
         }
         svg.origin(frame.at(Vec3::ZERO));
         svg.heading(corner + vec2(10.0, 20.0), &(i + 1).to_string());
-        svg.words(corner + vec2(30.0, 20.0), &format!("at least {:.3}", look.distance));
-        svg.words(corner + vec2(30.0, 38.0), &format!("at most {:.3}", look.at_most()));
+        svg.words(
+            corner + vec2(30.0, 20.0),
+            &format!("at least {:.3}", look.distance),
+        );
+        svg.words(
+            corner + vec2(30.0, 38.0),
+            &format!("w at {:.3}", look.at_most()),
+        );
     }
     svg.finish()
 }
@@ -179,17 +203,27 @@ pub fn regions() -> String {
                  belong to the corners";
     let mut svg = Svg::new(vec2(720.0, 330.0), label);
     let frame = Frame {
-        origin: vec2(300.0, 225.0),
-        scale: 75.0,
+        origin: vec2(280.0, 205.0),
+        scale: 68.0,
     };
-    let corners = [Vec3::new(-1.1, -0.35, 0.0), Vec3::new(1.3, -0.5, 0.0), Vec3::new(0.2, 1.25, 0.0)];
+    let corners = [
+        Vec3::new(-1.1, -0.35, 0.0),
+        Vec3::new(1.3, -0.5, 0.0),
+        Vec3::new(0.2, 1.25, 0.0),
+    ];
     for i in 0..3 {
         let (from, to, last) = (corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]);
         let out = (to - from).cross(Vec3::Z).normalize();
         let before = (from - last).cross(Vec3::Z).normalize();
         let strip = [from, to, to + 1.2 * out, from + 1.2 * out];
         svg.area(&frame.all(&strip), SIMPLEX, 0.18, 0.0);
-        let wedge = [from, from + 1.2 * before, from + 1.2 * out];
+        let between = (out + before).normalize();
+        let wedge = [
+            from,
+            from + 1.2 * before,
+            from + 1.2 * between,
+            from + 1.2 * out,
+        ];
         svg.area(&frame.all(&wedge), SUPPORT, 0.18, 0.0);
         for end in [from + 1.2 * out, from + 1.2 * before] {
             svg.dashes([frame.at(from), frame.at(end)], GREY, 1.5);
@@ -198,7 +232,7 @@ pub fn regions() -> String {
         let edge = ["AB", "BC", "CA"][i];
         check(&corners, 0.5 * (from + to) + 0.75 * out, 2);
         svg.letter(middle + vec2(0.0, 5.0), edge, TEXT);
-        let beyond = from + 0.75 * (out + before).normalize();
+        let beyond = from + 0.75 * between;
         check(&corners, beyond, 1);
         svg.letter(frame.at(beyond) + vec2(0.0, 5.0), ["A", "B", "C"][i], TEXT);
     }
@@ -210,7 +244,17 @@ pub fn regions() -> String {
         (150.0, SIMPLEX, "a side"),
         (190.0, BOUND, "the inside"),
     ] {
-        svg.area(&[vec2(540.0, at - 11.0), vec2(560.0, at - 11.0), vec2(560.0, at + 3.0), vec2(540.0, at + 3.0)], color, 0.3, 1.0);
+        svg.area(
+            &[
+                vec2(540.0, at - 11.0),
+                vec2(560.0, at - 11.0),
+                vec2(560.0, at + 3.0),
+                vec2(540.0, at + 3.0),
+            ],
+            color,
+            0.3,
+            1.0,
+        );
         svg.words(vec2(572.0, at), words);
     }
     svg.words(vec2(540.0, 75.0), "If the origin is here,");
@@ -231,7 +275,7 @@ fn check(corners: &[Vec3; 3], origin: Vec3, count: usize) {
 /// A face of one box cut to the face of another, seen from above.
 pub fn clip() -> String {
     let label = "Three frames, seen from above. A rectangle lies across another one. Cut at the left and right \
-                 side of the lower one, then at the other two, it becomes a polygon with seven corners, four of which \
+                 side of the lower one, then at the other two, it becomes a polygon with six corners, four of which \
                  are kept as contact points";
     let mut svg = Svg::new(vec2(720.0, 285.0), label);
     let lying = |x: f32, z: f32| Core {
@@ -255,9 +299,20 @@ pub fn clip() -> String {
     for (i, (name, lower)) in frames.iter().enumerate() {
         let corner = vec2(240.0 * i as f32, 0.0);
         let seen = |p: Vec3| corner + vec2(118.0, 150.0) + 76.0 * vec2(p.x, p.z);
-        let all = |feature: &Feature| feature.corners().iter().map(|&p| seen(p)).collect::<Vec<_>>();
+        let all = |feature: &Feature| {
+            feature
+                .corners()
+                .iter()
+                .map(|&p| seen(p))
+                .collect::<Vec<_>>()
+        };
         svg.area(&all(&face), B, 0.25, 2.0);
-        svg.area(&all(&other), A, if i == 0 { 0.3 } else { 0.08 }, if i == 0 { 2.0 } else { 0.7 });
+        svg.area(
+            &all(&other),
+            A,
+            if i == 0 { 0.3 } else { 0.08 },
+            if i == 0 { 2.0 } else { 0.7 },
+        );
         let points = clipped(&other, &lower.widest_feature(Vec3::Y), Vec3::Y, 0.0);
         let left: Vec<Vec2> = points.points().iter().map(|point| seen(point.at)).collect();
         if i > 0 {
@@ -276,10 +331,14 @@ pub fn clip() -> String {
         0.01,
     );
     for spot in touch.spots() {
-        svg.ring(vec2(598.0, 150.0) + 76.0 * vec2(spot.point.x, spot.point.z), 8.5, BOUND);
+        svg.ring(
+            vec2(598.0, 150.0) + 76.0 * vec2(spot.point.x, spot.point.z),
+            8.5,
+            BOUND,
+        );
     }
+    svg.words(vec2(10.0, 272.0), "orange: lower face of a");
+    svg.words(vec2(250.0, 272.0), "blue: upper face of b");
     svg.words(vec2(490.0, 272.0), "ringed: the four that stay");
-    svg.words(vec2(10.0, 272.0), "orange: face of a, below it");
-    svg.words(vec2(250.0, 272.0), "blue: face of b");
     svg.finish()
 }

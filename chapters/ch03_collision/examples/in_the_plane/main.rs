@@ -105,12 +105,21 @@ fn print_runs() {
             _ => "a triangle",
         };
         let distance = look.simplex.nearest().length();
-        println!("{:<11} {carrier:<10} {distance:8.4} {:14.4}", i + 1, look.at_least);
+        println!(
+            "{:<11} {carrier:<10} {distance:8.4} {:14.4}",
+            i + 1,
+            look.at_least
+        );
     }
     let [a, b] = overlapping();
-    println!("EPA         edges   at least (m)   at most (m)");
+    println!("EPA         edges   at least (m)   w at (m)");
     for (i, look) in epa::epa(&a, &b, triangle().vertices()).iter().enumerate() {
         let edges = look.polygon.len();
-        println!("{:<11} {edges:<5} {:14.4} {:13.4}", i + 1, look.distance, look.at_most());
+        println!(
+            "{:<11} {edges:<5} {:14.4} {:10.4}",
+            i + 1,
+            look.distance,
+            look.at_most()
+        );
     }
 }

@@ -54,7 +54,9 @@ pub fn draw_held(shown: &mut Shown, simplex: &Simplex) {
     for vertex in simplex.vertices() {
         shown.name_vertex(vertex, SIMPLEX);
     }
-    shown.difference.explain(SIMPLEX, "simplex that holds the origin");
+    shown
+        .difference
+        .explain(SIMPLEX, "simplex that holds the origin");
     let (on_a, on_b) = simplex.witnesses();
     shown.draw_gap(on_a, on_b);
 }

@@ -31,14 +31,23 @@ pub fn surface(a: &Core, b: &Core, radius: f32) -> Vec<[SurfacePoint; 3]> {
         if across.length() < THINNEST * extent * extent {
             continue;
         }
+        let outward = corners
+            .iter()
+            .map(|corner| corner.1)
+            .sum::<Vec3>()
+            .normalize();
+        let own_normal = across.normalize() * across.dot(outward).signum();
+        // Directions that end up side by side on a sharp rim span a sliver with no normal of its
+        // own.
+        if own_normal.dot(outward) < 0.97 {
+            continue;
+        }
         // Neighbouring directions that end up far apart span a flat part.
         let longest = p.distance(q).max(q.distance(r)).max(r.distance(p));
         let is_flat = longest > 4.0 * extent / f32::from(PIECES);
-        let outward: Vec3 = corners.iter().map(|corner| corner.1).sum();
-        let flat_normal = across.normalize() * across.dot(outward).signum();
         triangles.push(corners.map(|(at, normal)| SurfacePoint {
             at: at.to_array(),
-            normal: if is_flat { flat_normal } else { normal }.to_array(),
+            normal: if is_flat { own_normal } else { normal }.to_array(),
         }));
     }
     triangles
@@ -63,7 +72,9 @@ pub fn edges(a: &Core, b: &Core) -> Vec<[Vec3; 2]> {
         }
     }
     // Each side of a triangle is that of two.
-    let often = met.into_iter().filter(|(_, times)| *times >= 2 * NEIGHBOURS);
+    let often = met
+        .into_iter()
+        .filter(|(_, times)| *times >= 2 * NEIGHBOURS);
     often
         .map(|(ends, _)| ends.map(|end| Vec3::from(end.map(f32::from_bits))))
         .collect()

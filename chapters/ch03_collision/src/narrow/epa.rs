@@ -239,7 +239,9 @@ impl Polytope {
     /// Whether a vertex is there already. Then the polytope has all of a − b that matters here, and what
     /// is left between the bounds is rounding.
     fn has(&self, vertex: &Vertex) -> bool {
-        self.vertices.iter().any(|known| known.point == vertex.point)
+        self.vertices
+            .iter()
+            .any(|known| known.point == vertex.point)
     }
 
     /// By how much the bounds of a depth may differ at the end, m.
@@ -267,7 +269,8 @@ impl Polytope {
         if self.vertices.is_full() || faces > MOST_FACES {
             return false;
         }
-        self.faces.retain(|face| !hole.faces.contains(&face.corners));
+        self.faces
+            .retain(|face| !hole.faces.contains(&face.corners));
         let new = self.vertices.len() as u8;
         self.vertices.push(vertex);
         self.extent = self.extent.max(vertex.point.length());
@@ -304,8 +307,13 @@ impl Polytope {
 
     /// The plane of the face that has the edge from j to i; none of any use if there is no such face yet.
     fn plane_beyond(&self, i: u8, j: u8) -> (Vec3, f32) {
-        let beyond = self.faces.iter().find(|face| face.edges().contains(&[j, i]));
-        beyond.map_or((Vec3::ZERO, f32::INFINITY), |face| (face.normal, face.distance))
+        let beyond = self
+            .faces
+            .iter()
+            .find(|face| face.edges().contains(&[j, i]));
+        beyond.map_or((Vec3::ZERO, f32::INFINITY), |face| {
+            (face.normal, face.distance)
+        })
     }
 
     /// What follows if `face` belongs to the surface, `depth` from the origin.

@@ -1,10 +1,11 @@
 //! A list with room for N items, which lives where it is declared: the narrow phase runs for every pair in
 //! every step, and never asks for memory.
 
+use std::fmt;
 use std::ops::{Deref, DerefMut};
 
 /// Up to N items. Reads as a slice.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct List<T, const N: usize> {
     items: [T; N],
     count: usize,
@@ -30,6 +31,13 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
     pub fn push(&mut self, item: T) {
         self.items[self.count] = item;
         self.count += 1;
+    }
+
+    /// Adds an item at the end, unless there are N already.
+    pub fn push_if_room(&mut self, item: T) {
+        if !self.is_full() {
+            self.push(item);
+        }
     }
 
     /// Whether there is no room for another.
@@ -89,5 +97,11 @@ impl<T, const N: usize> DerefMut for List<T, N> {
 impl<T: PartialEq, const N: usize> PartialEq for List<T, N> {
     fn eq(&self, other: &Self) -> bool {
         **self == **other
+    }
+}
+
+impl<T: fmt::Debug, const N: usize> fmt::Debug for List<T, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        (**self).fmt(f)
     }
 }

@@ -6,32 +6,27 @@
 
 use glam::Vec3;
 
-use super::clip::{MOST_POINTS, clip};
+use super::clip::clip;
 use super::features::Feature;
-use super::list::List;
+use super::patch::Patch;
 use super::segment::Segment;
 use super::shortest_way::{ShortestWay, Side, shortest_way, size};
 use super::support_point::Core;
-use super::{MOST_SPOTS, Placed, Spot, Touch};
+use super::way_back::way_back;
+use super::{Placed, Spot, Touch};
 
-/// What reaches beyond a face's side by less than this share of the smaller solid's size is not cut,
-/// and points count as equally deep if they differ by less.
-pub(super) const SLACK: f32 = 2e-4;
-
-/// A point is taken instead of an earlier one if it is further away by this factor.
-const CLEARLY: f32 = 1.001;
+/// What reaches beyond a face's side by less than this share of the smaller solid's size is not cut, and
+/// points count as equally deep if they differ by less: a tremor must not change which points there are.
+pub(super) const SLACK: f32 = 5e-4;
 
 // ANCHOR: convex_convex
 /// Any two solids; found if the gap between them is at most `margin`, m.
 #[must_use]
 pub fn convex_convex(a: &Placed, b: &Placed, margin: f32) -> Option<Touch> {
-    let origin = b.p;
-    let (a, b) = Core::pair(a, b);
-    let way = shortest_way(&a, &b, margin)?;
-    let mut touch = manifold(&a, &b, &way, margin);
-    touch.converged = way.converged;
-    touch.move_by(origin);
-    Some(touch)
+    let (core_a, core_b) = Core::pair(a, b);
+    let way = shortest_way(&core_a, &core_b, margin)?;
+    let way = way_back(a, b, (&core_a, &core_b), way);
+    Some(manifold(&core_a, &core_b, &way, margin).moved_by(b.p))
 }
 // ANCHOR_END: convex_convex
 
@@ -50,7 +45,9 @@ pub fn manifold(a: &Core, b: &Core, way: &ShortestWay, margin: f32) -> Touch {
         Some(side) => over_face(a, b, way.normal, side, slack, &mut patch),
         None => along_edges(a, b, way.normal, &mut patch),
     }
-    patch.touch(way.normal, margin, slack)
+    let mut touch = patch.touch(way.normal, margin, slack);
+    touch.converged = way.converged;
+    touch
 }
 // ANCHOR_END: manifold
 
@@ -63,14 +60,14 @@ fn over_face(a: &Core, b: &Core, normal: Vec3, side: Side, slack: f32, patch: &m
         Side::B => (of_b, of_a, normal, 2),
     };
     let name = tag << 16 | face.id << 12 | other.id << 8;
-    patch.nearest.feature = name | 0xff;
+    patch.name_nearest(name | 0xff);
     for point in clip(&other, &face, outward, slack).points() {
         let foot = point.at - outward * outward.dot(point.at - face.corners()[0]);
         let (on_a, on_b) = match side {
             Side::A => (foot, point.at),
             Side::B => (point.at, foot),
         };
-        patch.push(spot(a, b, normal, on_a, on_b, name | point.id()));
+        patch.push(spot(a, b, normal, on_a, on_b, name | point.corner));
     }
 }
 // ANCHOR_END: over_face
@@ -82,7 +79,7 @@ fn along_edges(a: &Core, b: &Core, normal: Vec3, patch: &mut Patch) {
         return;
     };
     let name = 3 << 16 | of_a.id << 12 | of_b.id << 8;
-    patch.nearest.feature = name;
+    patch.name_nearest(name);
     let (edge_a, edge_b) = (segment(&of_a), segment(&of_b));
     let ends = edge_a.beside(&edge_b).into_iter().flatten();
     for (end, s) in (1..).zip(ends) {
@@ -109,95 +106,5 @@ fn spot(a: &Core, b: &Core, normal: Vec3, on_a: Vec3, on_b: Vec3, feature: u32) 
         point: 0.5 * (on_a + on_b),
         depth: (on_b - on_a).dot(normal),
         feature,
-    }
-}
-
-/// The points where two solids touch, before four of them are chosen.
-pub(super) struct Patch {
-    /// Where the two are nearest to each other.
-    nearest: Spot,
-    spots: List<Spot, { MOST_POINTS + 1 }>,
-}
-
-impl Patch {
-    /// No more than the point where the two are nearest to each other.
-    pub(super) fn new(nearest: Spot) -> Self {
-        Self {
-            nearest,
-            spots: List::default(),
-        }
-    }
-
-    /// Adds a point.
-    pub(super) fn push(&mut self, spot: Spot) {
-        self.spots.push(spot);
-    }
-
-    // ANCHOR: patch
-    /// The touch: points whose gap is at most `margin`, and the nearest point if none of them is as
-    /// deep; four of them if there are more.
-    pub(super) fn touch(mut self, normal: Vec3, margin: f32, slack: f32) -> Touch {
-        self.spots.retain(|spot| spot.depth >= -margin);
-        if self.deepest() < self.nearest.depth - slack {
-            self.spots.push(self.nearest);
-        }
-        if self.spots.len() <= MOST_SPOTS {
-            return Touch::new(normal, &self.spots);
-        }
-        let mut four = List::<_, MOST_SPOTS>::default();
-        for i in self.four(normal, slack).into_iter().flatten() {
-            four.push(self.spots[i]);
-        }
-        Touch::new(normal, &four)
-    }
-    // ANCHOR_END: patch
-
-    fn deepest(&self) -> f32 {
-        let depths = self.spots.iter().map(|spot| spot.depth);
-        depths.fold(f32::NEG_INFINITY, f32::max)
-    }
-
-    // ANCHOR: four
-    /// Which four points to keep: the deepest, the one furthest from it, the one that makes the
-    /// largest triangle with these, and the one that adds most to the triangle. Of points
-    /// that are about as good the first stays, so that rounding doesn't change the choice.
-    fn four(&self, normal: Vec3, slack: f32) -> [Option<usize>; MOST_SPOTS] {
-        let at = |i: usize| self.spots[i].point;
-        // Twice the area of a triangle, positive if it is anticlockwise about the normal.
-        let area = |i, j, k| (at(j) - at(i)).cross(at(k) - at(i)).dot(normal);
-        let deepest = self.deepest();
-        let first = (0..self.spots.len()).find(|&i| self.spots[i].depth >= deepest - slack);
-        let first = first.unwrap_or(0);
-        let second = self.best(|i| (at(i) - at(first)).length_squared());
-        let Some(second) = second else {
-            return [Some(first), None, None, None];
-        };
-        let third = self.best(|i| area(first, second, i).abs());
-        let Some(third) = third else {
-            return [Some(first), Some(second), None, None];
-        };
-        let turn = area(first, second, third).signum();
-        let sides = [(first, second), (second, third), (third, first)];
-        let beyond = |i, (from, to)| -turn * area(from, to, i);
-        let fourth = self.best(|i| {
-            sides
-                .map(|side| beyond(i, side))
-                .into_iter()
-                .fold(0.0, f32::max)
-        });
-        [Some(first), Some(second), Some(third), fourth]
-    }
-    // ANCHOR_END: four
-
-    /// The first point whose score none of the others clearly beats; none if no score is positive.
-    fn best(&self, score: impl Fn(usize) -> f32) -> Option<usize> {
-        let (mut best, mut most) = (None, 0.0);
-        for i in 0..self.spots.len() {
-            let score = score(i);
-            if score > CLEARLY * most {
-                (best, most) = (Some(i), score);
-            }
-        }
-        best
     }
 }

@@ -63,7 +63,8 @@ impl Core {
             Shape::Capsule {
                 radius,
                 half_height,
-            } => (Hull::Segment { half_height }, radius),
+            } if half_height > 0.0 => (Hull::Segment { half_height }, radius),
+            Shape::Capsule { radius, .. } => (Hull::Point, radius),
             Shape::Box { half_extents } => (Hull::Box { half_extents }, 0.0),
             Shape::Cylinder {
                 radius,
