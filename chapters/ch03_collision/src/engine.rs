@@ -9,8 +9,8 @@ use ch02_rigid_bodies::{Loaded, METHODS, Method, RigidBody, load_bodies};
 
 use crate::checks::{check_settings, unsupported};
 use crate::{
-    CollisionTree, Contact, Links, Margins, NoLinks, PassClock, Rules, dissect, layers, placed, resolve_corrected,
-    resolve_printed,
+    CollisionTree, Contact, Links, Margins, NoLinks, PassClock, Rules, dissect, layers, placed,
+    resolve_corrected, resolve_printed,
 };
 
 /// Chapter 3's entry in a list of engines.

@@ -19,6 +19,9 @@ pub use pin::PinConstraint;
 /// A gap, m, that is closed enough.
 const SMALL_GAP: f32 = 1e-6;
 
+/// A gap is wide if it is more than this share of the arms to the joint.
+const WIDE: f32 = 0.01;
+
 /// An angle, rad, that is near enough.
 const SMALL_ANGLE: f32 = 1e-5;
 

@@ -57,10 +57,6 @@ impl Assembly {
 
     /// A loop needs all of its joints in the same sweep.
     fn close_loops(&mut self, sweeps: u32) {
-        for joint in &self.loops {
-            joint.bodies().0.borrow_mut().weigh();
-            joint.bodies().1.borrow_mut().weigh();
-        }
         for _ in 0..sweeps {
             let mut moved = false;
             for joint in self.joints_mut() {
@@ -113,9 +109,8 @@ impl Links for Assembly {
         self.joints_mut().for_each(|joint| joint.prepare(dt));
     }
 
-    fn part(&mut self) -> bool {
-        self.joints_mut()
-            .fold(false, |moved, joint| moved | joint.part())
+    fn part(&mut self) -> f32 {
+        self.joints_mut().map(RigidJoint::part).fold(0.0, f32::max)
     }
 
     fn resume(&mut self) {

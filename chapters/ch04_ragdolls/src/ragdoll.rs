@@ -62,9 +62,6 @@ impl Ragdoll {
     // ANCHOR: update
     /// The report's `constraintUpdate`, swept at most `sweeps` times.
     pub fn constraint_update(&mut self, sweeps: u32) {
-        for bone in &self.bones {
-            bone.body.borrow_mut().weigh();
-        }
         for _ in 0..sweeps {
             let mut moved = false;
             for joint in &mut self.joints {

@@ -118,7 +118,7 @@ impl RigidJoint {
     // ANCHOR_END: correct
 
     // ANCHOR: printed
-    /// The same with the formulas as printed. A distance has none of its own.
+    /// The same with the formulas as printed.
     pub fn correct_printed(&mut self) {
         let (mut parent, mut child) = (self.parent.borrow_mut(), self.child.borrow_mut());
         parent.weigh();
@@ -130,9 +130,7 @@ impl RigidJoint {
                 }
                 pin.correct_printed(&mut parent, &mut child);
             }
-            Link::Distance(rod) => {
-                rod.correct(&mut parent, &mut child);
-            }
+            Link::Distance(rod) => rod.correct_printed(&mut parent, &mut child),
         }
     }
     // ANCHOR_END: printed
@@ -151,14 +149,14 @@ impl RigidJoint {
         }
     }
 
-    /// Nudges its bodies to where they belong; says whether they weren't there.
-    pub fn part(&mut self) -> bool {
+    /// Nudges its bodies to where they belong; gives how far they were off, m.
+    pub fn part(&mut self) -> f32 {
         let (mut parent, mut child) = (self.parent.borrow_mut(), self.child.borrow_mut());
         match &mut self.link {
             Link::Pin(pin, angle) => {
-                let moved = pin.part(&mut parent, &mut child);
+                let gap = pin.part(&mut parent, &mut child);
                 let angle = angle.as_mut();
-                moved | angle.is_some_and(|angle| angle.part(pin, &mut parent, &mut child))
+                gap.max(angle.map_or(0.0, |angle| angle.part(pin, &mut parent, &mut child)))
             }
             Link::Distance(rod) => rod.part(&mut parent, &mut child),
         }

@@ -227,13 +227,13 @@ fn a_pendulum_does_not_stretch() {
 }
 
 #[test]
-fn what_a_short_wide_pendulum_is_off_falls_with_the_step() {
-    let off = |theta, rate| (swings(&short_pendulum(theta, rate), theta).period - 1.0).abs();
-    assert!(off(0.1, 60.0) <= 1e-3 && off(1.0, 60.0) <= 1e-3);
-    // At 2 rad it turns by 0.14 rad a step, and what is put back along directions that have turned
-    // meanwhile costs energy, of third order in the step: eight times less at half of it.
-    let (coarse, fine) = (off(2.0, 60.0), off(2.0, 120.0));
-    assert!(coarse <= 4e-3 && fine <= coarse / 4.0, "{coarse} {fine}");
+fn a_short_wide_pendulum_keeps_its_period_too() {
+    // At 2 rad it turns by 0.14 rad a step. Put back along directions that have turned meanwhile, it
+    // would be off by 0.25 %.
+    for theta in [0.1, 1.0, 2.0] {
+        let off = swings(&short_pendulum(theta, 60.0), theta).period - 1.0;
+        assert!(off.abs() <= 1e-3, "{theta} rad: {off}");
+    }
 }
 
 // Scenario 10: the hanging chain.

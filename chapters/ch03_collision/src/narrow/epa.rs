@@ -11,7 +11,7 @@ use glam::Vec3;
 
 use super::list::List;
 use super::simplex::Simplex;
-use super::support_point::{Core, Vertex};
+use super::support_point::{Core, ROUNDING, Vertex, extent};
 
 /// Vertices that a polytope can have.
 pub const MOST_VERTICES: usize = 64;
@@ -24,9 +24,6 @@ const MOST_RIM: usize = 3 * MOST_FACES;
 
 /// The depth is known where its bounds differ by this share of it.
 const TOLERANCE: f32 = 1e-5;
-
-/// Rounding of a support point, as a share of its coordinates.
-const ROUNDING: f32 = 4.0 * f32::EPSILON;
 
 /// A triangle that is lower than this share of the polytope's extent has no normal that one could trust.
 const THINNEST: f32 = 1e-5;
@@ -83,7 +80,7 @@ pub fn epa(a: &Core, b: &Core, simplex: &Simplex) -> Penetration {
 // ANCHOR: epa
 /// [`epa`], with a look at every iteration.
 pub fn watched(a: &Core, b: &Core, simplex: &Simplex, mut watch: impl FnMut(&Step)) -> Penetration {
-    let mut polytope = Polytope::new(&tetrahedron(a, b, simplex));
+    let mut polytope = Polytope::new(&tetrahedron(a, b, simplex), extent(a, b));
     let mut best = Penetration::unknown();
     for iteration in 0.. {
         let nearest = polytope.nearest();
@@ -99,7 +96,7 @@ pub fn watched(a: &Core, b: &Core, simplex: &Simplex, mut watch: impl FnMut(&Ste
         // The whole of a − b lies behind this plane, so the way out is no longer than that.
         let depth = support.point.dot(face.normal);
         if depth < best.depth {
-            best = polytope.penetration(&face, depth);
+            (best.depth, best.normal) = (depth, -face.normal);
         }
         let known = best.depth - face.distance <= polytope.tolerance(best.depth);
         best.converged = known || polytope.has(&support);
@@ -107,6 +104,7 @@ pub fn watched(a: &Core, b: &Core, simplex: &Simplex, mut watch: impl FnMut(&Ste
             break;
         }
     }
+    (best.on_a, best.on_b) = polytope.witnesses(best.depth);
     if !best.converged {
         best.polish(a, b);
     }
@@ -205,18 +203,17 @@ fn furthest(
 struct Polytope {
     vertices: List<Vertex, MOST_VERTICES>,
     faces: List<Face, MOST_FACES>,
-    /// How far the vertices are from the origin, m.
+    /// How large its coordinates may be, m.
     extent: f32,
 }
 
 impl Polytope {
     /// A tetrahedron whose fourth corner is behind the triangle of the first three.
-    fn new(corners: &[Vertex; 4]) -> Self {
-        let reach = corners.map(|corner| corner.point.length());
+    fn new(corners: &[Vertex; 4], extent: f32) -> Self {
         let mut polytope = Self {
             vertices: List::of(corners),
             faces: List::default(),
-            extent: reach.into_iter().fold(0.0, f32::max),
+            extent,
         };
         for corners in [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]] {
             let face = polytope.face(corners);
@@ -273,7 +270,6 @@ impl Polytope {
             .retain(|face| !hole.faces.contains(&face.corners));
         let new = self.vertices.len() as u8;
         self.vertices.push(vertex);
-        self.extent = self.extent.max(vertex.point.length());
         for &[i, j] in hole.rim.iter() {
             let face = self.face([i, j, new]);
             self.faces.push(face);
@@ -316,18 +312,25 @@ impl Polytope {
         })
     }
 
-    /// What follows if `face` belongs to the surface, `depth` from the origin.
-    fn penetration(&self, face: &Face, depth: f32) -> Penetration {
-        let corners = face.corners.map(|i| self.vertices[usize::from(i)]);
-        let (on_a, on_b) = Simplex::new(&corners).witnesses();
-        Penetration {
-            depth,
-            normal: -face.normal,
-            on_a,
-            on_b,
-            converged: false,
+    // ANCHOR: witnesses
+    /// The points of a and b that belong to the point of the surface nearest to the origin. A flat side of a − b is
+    /// many triangles with the same distance, and only one of them holds that point.
+    fn witnesses(&self, depth: f32) -> (Vec3, Vec3) {
+        let nearest = self.faces[self.nearest()].distance;
+        let reach = depth.max(nearest) + self.tolerance(depth);
+        let mut best = (Vec3::ZERO, Vec3::ZERO);
+        let mut least = f32::INFINITY;
+        for face in self.faces.iter().filter(|face| face.distance <= reach) {
+            let corners = face.corners.map(|i| self.vertices[usize::from(i)]);
+            let triangle = Simplex::new(&corners);
+            let squared = triangle.nearest().length_squared();
+            if squared < least {
+                (best, least) = (triangle.witnesses(), squared);
+            }
         }
+        best
     }
+    // ANCHOR_END: witnesses
 }
 
 // ANCHOR: hole

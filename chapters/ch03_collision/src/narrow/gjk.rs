@@ -10,16 +10,13 @@
 use glam::Vec3;
 
 use super::simplex::Simplex;
-use super::support_point::{Core, Vertex};
+use super::support_point::{Core, ROUNDING, Vertex, extent};
 
 /// Iterations before GJK gives its best so far; boxes take 3 to 6, cylinders up to 20.
 pub const MOST_ITERATIONS: usize = 48;
 
 /// The distance is known where its bounds differ by this share of it.
 const TOLERANCE: f32 = 1e-6;
-
-/// Rounding of a support point, as a share of its coordinates.
-const ROUNDING: f32 = 4.0 * f32::EPSILON;
 
 /// What one iteration looked at, for those who watch. All of it is in the coordinates of
 /// [`Core::pair`]: the world's axes, the origin at b's centre.
@@ -52,7 +49,7 @@ pub enum Gjk {
 pub struct Apart {
     /// m.
     pub distance: f32,
-    /// Unit vector from b to a.
+    /// Unit vector from b to a, along which they are as far apart as along any other that was seen.
     pub normal: Vec3,
     /// The point of a that is nearest to b.
     pub on_a: Vec3,
@@ -75,12 +72,12 @@ pub fn gjk(a: &Core, b: &Core, limit: f32) -> Gjk {
 pub fn watched(a: &Core, b: &Core, limit: f32, mut watch: impl FnMut(&Step)) -> Gjk {
     let first = Vertex::support(a, b, b.centre - a.centre);
     let mut simplex = Simplex::new(&[first]);
-    let mut extent = first.point.length();
-    let mut highest = f32::NEG_INFINITY;
+    let rounding = ROUNDING * extent(a, b);
+    let (mut highest, mut normal) = (f32::NEG_INFINITY, Vec3::Y);
     for iteration in 0..MOST_ITERATIONS {
         let v = simplex.nearest();
         let distance = v.length();
-        if simplex.vertices().len() == 4 || distance <= ROUNDING * extent {
+        if simplex.vertices().len() == 4 || distance <= rounding {
             return Gjk::Overlapping(simplex);
         }
         let support = Vertex::support(a, b, -v);
@@ -94,30 +91,34 @@ pub fn watched(a: &Core, b: &Core, limit: f32, mut watch: impl FnMut(&Step)) -> 
         if at_least > limit {
             return Gjk::Far;
         }
-        extent = extent.max(support.point.length());
-        if distance - at_least <= TOLERANCE * distance + ROUNDING * extent {
-            return Gjk::Apart(apart(&simplex, true));
+        let higher = at_least > highest;
+        if higher {
+            (highest, normal) = (at_least, v / distance);
+        }
+        if distance - at_least <= TOLERANCE * distance + rounding {
+            return Gjk::Apart(Apart::new(&simplex, normal, true));
         }
         let last = simplex;
         simplex.add(support);
-        if simplex.nearest().length() >= distance && at_least <= highest {
-            return Gjk::Apart(apart(&last, true));
+        let nearer = simplex.nearest().length() < distance;
+        if !nearer && !higher {
+            return Gjk::Apart(Apart::new(&last, normal, true));
         }
-        highest = highest.max(at_least);
     }
-    Gjk::Apart(apart(&simplex, false))
+    Gjk::Apart(Apart::new(&simplex, normal, false))
 }
 // ANCHOR_END: gjk
 
-fn apart(simplex: &Simplex, converged: bool) -> Apart {
-    let distance = simplex.nearest().length();
-    let (on_a, on_b) = simplex.witnesses();
-    Apart {
-        distance,
-        normal: simplex.nearest() / distance,
-        on_a,
-        on_b,
-        simplex: *simplex,
-        converged,
+impl Apart {
+    fn new(simplex: &Simplex, normal: Vec3, converged: bool) -> Self {
+        let (on_a, on_b) = simplex.witnesses();
+        Self {
+            distance: simplex.nearest().length(),
+            normal,
+            on_a,
+            on_b,
+            simplex: *simplex,
+            converged,
+        }
     }
 }

@@ -15,22 +15,16 @@ use glam::Vec3;
 use super::epa::{Penetration, epa};
 use super::gjk::{Apart, Gjk, gjk};
 use super::simplex::Simplex;
-use super::support_point::{Core, separation};
+use super::support_point::{Core, ROUNDING, extent, separation};
 
 /// The skin, as a share of a solid's smallest half extent.
 const SKIN: f32 = 0.1;
-
-/// A corner of a box reaches √3 skins beyond the shrunk box.
-const CORNER: f32 = 1.733;
 
 /// Two bounds agree if they differ by this share of the smaller solid's size.
 const AGREE: f32 = 5e-5;
 
 /// Nearer than this share of the coordinates GJK's normal is mostly rounding.
 const VAGUE: f32 = 1e-4;
-
-/// Rounding of a support point, as a share of its coordinates.
-const ROUNDING: f32 = 8.0 * f32::EPSILON;
 
 /// A face leads if along its normal the solids are as far apart as along the best one, but for
 /// this share of the smaller one's size …
@@ -67,56 +61,53 @@ pub struct ShortestWay {
 /// The shortest way apart of two solids that are at most `margin` from touching, m.
 #[must_use]
 pub fn shortest_way(a: &Core, b: &Core, margin: f32) -> Option<ShortestWay> {
-    if a.radius + b.radius == 0.0 {
-        let (in_a, in_b) = (a.shrunk(SKIN), b.shrunk(SKIN));
-        let skins = in_a.radius + in_b.radius;
-        match gjk(&in_a, &in_b, CORNER * skins + margin) {
-            Gjk::Far => return None,
-            Gjk::Apart(apart) => {
-                if let Some(way) = confirmed(a, b, skins, &apart, middle(&in_a, &in_b, &apart)) {
-                    return way.within(margin);
-                }
-            }
-            Gjk::Overlapping(_) => {}
-        }
-    }
     let radii = a.radius + b.radius;
     let way = match gjk(a, b, radii + margin) {
         Gjk::Far => return None,
-        Gjk::Apart(apart) => {
-            let point = middle(a, b, &apart);
-            match confirmed(a, b, radii, &apart, point) {
-                Some(way) => way,
-                None if apart.distance > VAGUE * extent(a, b) => ShortestWay {
-                    normal: apart.normal,
-                    separation: apart.distance - radii,
-                    point,
-                    face: None,
-                    converged: apart.converged,
-                },
-                None => deep(a, b, &apart.simplex),
-            }
+        Gjk::Apart(apart) if apart.distance > VAGUE * extent(a, b) => {
+            confirmed(a, b, (a, b), &apart).unwrap_or_else(|| believed(a, b, &apart))
         }
-        Gjk::Overlapping(simplex) => deep(a, b, &simplex),
+        Gjk::Apart(Apart { simplex, .. }) | Gjk::Overlapping(simplex) => {
+            under_the_skin(a, b).unwrap_or_else(|| deep(a, b, &simplex))
+        }
     };
-    way.within(margin)
+    (way.separation <= margin).then_some(way)
 }
 // ANCHOR_END: shortest_way
 
-impl ShortestWay {
-    fn within(self, margin: f32) -> Option<Self> {
-        (self.separation <= margin).then_some(self)
+// ANCHOR: under_the_skin
+/// What GJK finds between the shrunk solids, if it holds for the sharp ones.
+fn under_the_skin(a: &Core, b: &Core) -> Option<ShortestWay> {
+    let (in_a, in_b) = (a.shrunk(SKIN), b.shrunk(SKIN));
+    match gjk(&in_a, &in_b, f32::INFINITY) {
+        Gjk::Apart(apart) => confirmed(a, b, (&in_a, &in_b), &apart),
+        _ => None,
     }
 }
+// ANCHOR_END: under_the_skin
 
 // ANCHOR: confirmed
-/// What GJK found, if along its normal the solids are as far apart as it says: no normal can do better then.
-fn confirmed(a: &Core, b: &Core, radii: f32, apart: &Apart, point: Vec3) -> Option<ShortestWay> {
-    let way = settled(a, b, apart.normal, point);
+/// What GJK found between two cores, if along its normal a and b are as far apart as it says: no normal
+/// can do better then.
+fn confirmed(a: &Core, b: &Core, cores: (&Core, &Core), apart: &Apart) -> Option<ShortestWay> {
+    let radii = cores.0.radius + cores.1.radius;
     let at_most = apart.distance - radii;
-    (way.separation >= at_most - AGREE * size(a, b) - ROUNDING * extent(a, b)).then_some(way)
+    let way = settled(a, b, apart.normal, middle(cores, apart));
+    let agree = AGREE * size(a, b) + ROUNDING * extent(a, b);
+    (way.separation >= at_most - agree).then_some(way)
 }
 // ANCHOR_END: confirmed
+
+/// What GJK found, if the solids are so long that the normal's rounding spoils the other bound.
+fn believed(a: &Core, b: &Core, apart: &Apart) -> ShortestWay {
+    ShortestWay {
+        normal: apart.normal,
+        separation: apart.distance - a.radius - b.radius,
+        point: middle((a, b), apart),
+        face: None,
+        converged: apart.converged,
+    }
+}
 
 /// What EPA finds.
 fn deep(a: &Core, b: &Core, simplex: &Simplex) -> ShortestWay {
@@ -174,7 +165,7 @@ fn settled(a: &Core, b: &Core, normal: Vec3, point: Vec3) -> ShortestWay {
 // ANCHOR_END: settled
 
 /// Midway between the surfaces, where the cores are nearest to each other.
-fn middle(a: &Core, b: &Core, apart: &Apart) -> Vec3 {
+fn middle((a, b): (&Core, &Core), apart: &Apart) -> Vec3 {
     0.5 * (apart.on_a + apart.on_b + (b.radius - a.radius) * apart.normal)
 }
 
@@ -182,9 +173,4 @@ fn middle(a: &Core, b: &Core, apart: &Apart) -> Vec3 {
 #[must_use]
 pub fn size(a: &Core, b: &Core) -> f32 {
     (a.reach() + a.radius).min(b.reach() + b.radius)
-}
-
-/// How large the numbers become, m.
-fn extent(a: &Core, b: &Core) -> f32 {
-    a.reach() + b.reach()
 }

@@ -11,8 +11,11 @@ use glam::Vec3;
 use super::list::List;
 use super::support_point::Vertex;
 
-/// A simplex with less than this share of the volume (area) that its edges would allow is flat.
+/// A triangle is flat if the sine of its angle is less.
 const FLAT: f32 = 1e-6;
+
+/// The weights of a tetrahedron add up to 1, but for this.
+const TRUSTED: f32 = 0.01;
 
 // ANCHOR: simplex
 /// One to four points of the Minkowski difference, and the point of their simplex that is nearest
@@ -56,7 +59,6 @@ impl Simplex {
         self.reduce();
     }
 
-    // ANCHOR: reduce
     fn reduce(&mut self) {
         self.nearest = match self.vertices.len() {
             1 => self.at_vertex(0),
@@ -71,7 +73,6 @@ impl Simplex {
             }
         }
     }
-    // ANCHOR_END: reduce
     // ANCHOR_END: simplex
 
     /// Its vertices; four if the origin is within.
@@ -158,29 +159,24 @@ impl Simplex {
     // ANCHOR: in_tetrahedron
     /// In a tetrahedron: the origin itself if it is on the inner side of all four faces, else on a
     /// face that it is outside of.
+    ///
+    /// The weight of a vertex is how high the origin is above the opposite face, as a share of the vertex's own
+    /// height. All four are computed on their own, so if they don't add up to 1, rounding has spoiled them.
     fn in_tetrahedron(&self) -> Nearest {
         let p = [0, 1, 2, 3].map(|i| self.vertices[i].point);
         let mut weights = [0.0; 4];
-        let mut outside = [true; 4];
         for (i, [j, k, l]) in FACES.into_iter().enumerate() {
             let n = (p[k] - p[j]).cross(p[l] - p[j]);
-            let edge = p[i] - p[j];
-            let (whole, height) = (n.dot(edge), -n.dot(p[j]));
-            let flat = whole * whole <= FLAT * FLAT * n.length_squared() * edge.length_squared();
-            weights[i] = height / whole;
-            outside[i] = flat || height * whole <= 0.0;
+            weights[i] = -n.dot(p[j]) / n.dot(p[i] - p[j]);
         }
-        if outside == [false; 4] {
-            return Nearest {
-                point: Vec3::ZERO,
-                weights,
-            };
+        let trusted = (weights.iter().sum::<f32>() - 1.0).abs() < TRUSTED;
+        if trusted && weights.iter().all(|weight| *weight > 0.0) {
+            let point = Vec3::ZERO;
+            return Nearest { point, weights };
         }
-        let faces = FACES
-            .into_iter()
-            .zip(outside)
-            .filter(|(_, outside)| *outside);
-        nearest_of(faces.map(|(face, _)| self.on_triangle(face)))
+        let faces = FACES.into_iter().zip(weights);
+        let outside = faces.filter(|(_, weight)| !trusted || *weight <= 0.0);
+        nearest_of(outside.map(|(face, _)| self.on_triangle(face)))
     }
     // ANCHOR_END: in_tetrahedron
 }

@@ -214,6 +214,15 @@ pub fn separation(a: &Core, b: &Core, normal: Vec3) -> f32 {
 }
 // ANCHOR_END: separation
 
+/// Rounding of a support point, as a share of [`extent`].
+pub const ROUNDING: f32 = 4.0 * f32::EPSILON;
+
+/// How large the coordinates of support points may be, m.
+#[must_use]
+pub fn extent(a: &Core, b: &Core) -> f32 {
+    (a.centre - b.centre).length() + a.reach() + b.reach()
+}
+
 /// `size` with the sign of `d`; positive for both zeros.
 fn towards(d: f32, size: f32) -> f32 {
     if d < 0.0 { -size } else { size }

@@ -8,13 +8,9 @@ use super::Placed;
 use super::shortest_way::{ShortestWay, Side};
 use super::support_point::{Core, Vertex, separation};
 
-/// The way apart leads out on the far side if it is steeper than 60° against the face where the solid
-/// came from.
-const FAR_SIDE: f32 = -0.5;
-
 // ANCHOR: way_back
-/// The way apart `way`, or the way back through the face of the larger box where the other solid was a
-/// step ago, if `way` would lead out on the far side.
+/// The way apart `way`; but if the larger solid is a box, and the other one's centre went in through one of its
+/// faces and past the middle in this step, the way back through that face.
 #[must_use]
 pub fn way_back(a: &Placed, b: &Placed, cores: (&Core, &Core), way: ShortestWay) -> ShortestWay {
     let (core_a, core_b) = cores;
@@ -27,16 +23,15 @@ pub fn way_back(a: &Placed, b: &Placed, cores: (&Core, &Core), way: ShortestWay)
         return way;
     };
     let before = block_core.to_own(solid.p_before - block.p_before);
-    let outside = before.abs() - half_extents;
-    if outside.max_element() <= 0.0 {
+    let now = block_core.to_own(solid.p - block.p);
+    let axis = (before.abs() - half_extents).max_position();
+    let was_outside = before[axis].abs() > half_extents[axis];
+    let is_past_the_middle = now[axis] * before[axis] < 0.0;
+    if !(was_outside && is_past_the_middle) {
         return way;
     }
-    let axis = outside.max_position();
     let face = block_core.axes.col(axis) * before[axis].signum();
     let normal = if side == Side::A { -face } else { face };
-    if way.normal.dot(normal) > FAR_SIDE {
-        return way;
-    }
     let deepest = Vertex::support(core_a, core_b, -normal);
     let surfaces = deepest.on_a + deepest.on_b + (core_b.radius - core_a.radius) * normal;
     ShortestWay {

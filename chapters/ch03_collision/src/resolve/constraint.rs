@@ -12,9 +12,6 @@ use crate::narrow::MOST_SPOTS;
 /// A lift that nobody pays for, m: what rounding makes of a body that rests and owes nothing.
 const LIFT_FOR_FREE: f32 = 1e-5;
 
-/// A nudge that isn't worth making, m.
-const SMALL_NUDGE: f32 = 1e-6;
-
 /// A contact while it is resolved.
 pub struct Constraint {
     pub(super) a: usize,
@@ -120,22 +117,20 @@ impl Constraint {
 
     // ANCHOR: part
     /// Nudges the two bodies apart by what is left of their depth, the one that yields more further;
-    /// or takes back, of what it has nudged before, what others have made superfluous. Says whether
-    /// there was anything to do.
-    pub fn part(&mut self, bodies: &[Shared<RigidBody>]) -> bool {
+    /// or takes back, of what it has nudged before, what others have made superfluous. Gives how far, m.
+    pub fn part(&mut self, bodies: &[Shared<RigidBody>]) -> f32 {
         let (mut one, mut two) = (bodies[self.a].borrow_mut(), bodies[self.b].borrow_mut());
         let parted = one.nudged(self.r1) - two.nudged(self.r2);
         let left = self.depth - self.normal.dot(parted);
         let pushed = (self.pushed + left).max(0.0);
         let change = pushed - self.pushed;
-        if change.abs() <= SMALL_NUDGE {
-            return false;
+        if change != 0.0 {
+            self.pushed = pushed;
+            let nudge = self.normal * (change / self.response);
+            one.nudge(self.r1, nudge);
+            two.nudge(self.r2, -nudge);
         }
-        self.pushed = pushed;
-        let nudge = self.normal * (change / self.response);
-        one.nudge(self.r1, nudge);
-        two.nudge(self.r2, -nudge);
-        true
+        change.abs()
     }
     // ANCHOR_END: part
 

@@ -12,6 +12,12 @@ use super::constraint::Constraint;
 use super::{LONGEST_SHIFT, Links, Rules};
 use crate::Contact;
 
+/// A nudge that isn't worth another sweep, m.
+const SMALL_NUDGE: f32 = 1e-6;
+
+/// A nudge that is worth more sweeps than usual, m.
+const FAR_NUDGE: f32 = 0.005;
+
 // ANCHOR: resolve
 /// Resolves all contacts, and the links, together. Returns how many impacts were left when the sweeps
 /// ended; the resting contact then stops those bodies without a bounce.
@@ -76,6 +82,8 @@ fn prepare(
 // ANCHOR: push_apart
 /// Nudges the bodies until none overlap: each contact moves its two by what is left of its depth,
 /// the one that yields more further, until all have had their turns. Velocities stay.
+///
+/// Where a sweep still nudges bodies far, as when limbs crash into each other, it goes on for longer.
 fn push_apart(
     bodies: &[Shared<RigidBody>],
     involved: &[usize],
@@ -83,12 +91,12 @@ fn push_apart(
     links: &mut impl Links,
     rules: Rules,
 ) {
-    for _ in 0..rules.sweeps {
-        let mut moved = links.part();
+    for sweep in 1..=3 * rules.sweeps {
+        let mut furthest = links.part();
         for c in &mut *constraints {
-            moved |= c.part(bodies);
+            furthest = furthest.max(c.part(bodies));
         }
-        if !moved {
+        if furthest < SMALL_NUDGE || (sweep >= rules.sweeps && furthest < FAR_NUDGE) {
             break;
         }
     }

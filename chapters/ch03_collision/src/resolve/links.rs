@@ -9,8 +9,8 @@ pub trait Links {
     /// Works out what stays the same while a step of `dt` seconds is resolved.
     fn prepare(&mut self, dt: f32);
 
-    /// Nudges the bodies to where they belong; says whether anything was left to do.
-    fn part(&mut self) -> bool;
+    /// Nudges the bodies to where they belong; gives how far the furthest was off, m.
+    fn part(&mut self) -> f32;
 
     /// Begins with the impulses of the last step.
     fn resume(&mut self);
@@ -31,8 +31,8 @@ impl Links for NoLinks {
 
     fn prepare(&mut self, _dt: f32) {}
 
-    fn part(&mut self) -> bool {
-        false
+    fn part(&mut self) -> f32 {
+        0.0
     }
 
     fn resume(&mut self) {}

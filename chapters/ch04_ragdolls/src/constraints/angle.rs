@@ -132,16 +132,16 @@ impl AngleConstraint {
     // ANCHOR_END: prepare
 
     // ANCHOR: part
-    /// Nudges the two back to their limits, or takes back what others have made superfluous; says
-    /// whether there was anything to do.
+    /// Nudges the two back to their limits, or takes back what others have made superfluous. Gives how
+    /// far, as the way of a limb of a decimetre, m.
     pub fn part(
         &mut self,
         pin: &PinConstraint,
         parent: &mut RigidBody,
         child: &mut RigidBody,
-    ) -> bool {
+    ) -> f32 {
         let (q1, q2) = (parent.nudged_pose().1, child.nudged_pose().1);
-        let mut moved = false;
+        let mut furthest = 0.0_f32;
         for (turn, row) in self
             .rows
             .iter_mut()
@@ -157,13 +157,14 @@ impl AngleConstraint {
                 nudged = nudged.max(0.0);
             }
             let change = nudged - turn.nudged;
-            if (change * lever.response).abs() >= SMALL_ANGLE {
+            let turned = (change * lever.response).abs();
+            if turned >= SMALL_ANGLE {
                 turn.nudged = nudged;
                 pin.nudge_turn(&lever, change, parent, child);
-                moved = true;
+                furthest = furthest.max(0.1 * turned);
             }
         }
-        moved
+        furthest
     }
     // ANCHOR_END: part
 

@@ -6,7 +6,7 @@ use ch00_maths::f32::joint::distance_correction;
 use ch02_rigid_bodies::RigidBody;
 use glam::Vec3;
 
-use super::SMALL_GAP;
+use super::{SMALL_GAP, WIDE};
 
 // ANCHOR: distance
 /// 0 = |d| − l.
@@ -57,43 +57,61 @@ impl DistanceConstraint {
     }
 
     // ANCHOR: correct
-    /// Brings the points back to their distance. Says whether they were off.
+    /// Brings the points back to their distance, along the rod as it lay when the step began, or, if
+    /// it has swung too far for that, as it lies. Says whether they were off.
     pub fn correct(&mut self, parent: &mut RigidBody, child: &mut RigidBody) -> bool {
-        let d = self.locate(parent, child);
-        let length = self.length + self.left;
-        if (d.length() - length).abs() < SMALL_GAP {
+        let (one, two) = self.points(parent, child);
+        let off = one.distance(two) - self.length - self.left;
+        if off.abs() < SMALL_GAP {
             return false;
         }
-        let (mass_1, mass_2) = (*parent.answers(), *child.answers());
-        let nudge = distance_correction(&mass_1, self.t1, &mass_2, self.t2, d, length);
+        if off.abs() > WIDE * self.length {
+            parent.weigh();
+            child.weigh();
+            self.weigh(parent, child);
+        }
+        let nudge = self.along * (-off / self.response);
         parent.displace_by(self.t1, nudge);
         child.displace_by(self.t2, -nudge);
         true
     }
     // ANCHOR_END: correct
 
-    /// Works out what stays the same while contacts are resolved.
-    pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody) {
+    /// The report's distribution of the difference by mass, for points of rigid bodies.
+    pub fn correct_printed(&mut self, parent: &mut RigidBody, child: &mut RigidBody) {
+        let d = self.locate(parent, child);
+        let (mass_1, mass_2) = (*parent.answers(), *child.answers());
+        let nudge = distance_correction(&mass_1, self.t1, &mass_2, self.t2, d, self.length);
+        parent.displace_by(self.t1, nudge);
+        child.displace_by(self.t2, -nudge);
+    }
+
+    /// Works out how the rod lies and how its ends yield; gives d.
+    fn weigh(&mut self, parent: &RigidBody, child: &RigidBody) -> Vec3 {
         let d = self.locate(parent, child);
         self.along = d.normalize_or(Vec3::Y);
-        self.stretch = d.length() - self.length;
         let (mass_1, mass_2) = (parent.answers(), child.answers());
         self.response = response(mass_1, self.t1, mass_2, self.t2, self.along);
+        d
+    }
+
+    /// Works out what stays the same while contacts are resolved.
+    pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody) {
+        self.stretch = self.weigh(parent, child).length() - self.length;
         let v_r = relative_velocity(parent.moved(), self.t1, child.moved(), self.t2);
         self.parted = v_r.dot(self.along);
     }
 
-    /// Nudges the points to their distance; says whether they were off.
-    pub fn part(&self, parent: &mut RigidBody, child: &mut RigidBody) -> bool {
+    /// Nudges the points to their distance; gives how far they were off, m.
+    pub fn part(&self, parent: &mut RigidBody, child: &mut RigidBody) -> f32 {
         let moved = parent.nudged(self.t1) - child.nudged(self.t2);
         let left = self.stretch + self.along.dot(moved);
-        if left.abs() < SMALL_GAP {
-            return false;
+        if left.abs() >= SMALL_GAP {
+            let nudge = self.along * (-left / self.response);
+            parent.nudge(self.t1, nudge);
+            child.nudge(self.t2, -nudge);
         }
-        let nudge = self.along * (-left / self.response);
-        parent.nudge(self.t1, nudge);
-        child.nudge(self.t2, -nudge);
-        true
+        left.abs()
     }
 
     // ANCHOR: hold

@@ -5,7 +5,7 @@ use ch00_maths::f32::{impulse, pin};
 use ch02_rigid_bodies::RigidBody;
 use glam::{Mat3, Vec3};
 
-use super::{LONGEST_GAP, SMALL_GAP};
+use super::{LONGEST_GAP, SMALL_GAP, WIDE};
 
 // ANCHOR: pin
 /// 0 = (p₁ + t₁) − (p₂ + t₂), with t = q ∗ o.
@@ -66,11 +66,21 @@ impl PinConstraint {
 
     // ANCHOR: correct
     /// Closes the gap that has opened since the last step. Says whether there was one.
+    ///
+    /// It pushes at t₁, t₂ and with K as they were when the step began: what keeps a step from losing
+    /// or making energy is that its force acts where the step starts from. A gap that is wide beside
+    /// the arms says that the bodies have turned too far for that: then as they are now.
     pub fn correct(&mut self, parent: &mut RigidBody, child: &mut RigidBody) -> bool {
-        self.weigh(parent, child);
-        let opened = self.gap - self.left;
-        if opened.length_squared() < SMALL_GAP * SMALL_GAP {
+        let (one, two) = self.points(parent, child);
+        let opened = one - two - self.left;
+        let gap = opened.length();
+        if gap < SMALL_GAP {
             return false;
+        }
+        if gap > WIDE * (self.t1.length() + self.t2.length()) {
+            parent.weigh();
+            child.weigh();
+            self.weigh(parent, child);
         }
         let d = self.yielding * -opened;
         parent.displace_by(self.t1, d);
@@ -129,20 +139,20 @@ impl PinConstraint {
     // ANCHOR_END: prepare
 
     // ANCHOR: part
-    /// Nudges the two points together; says whether they were apart.
+    /// Nudges the two points together; gives how far they were apart, m.
     ///
     /// The gap is that of the nudged poses, not what K predicts of it: a limb that is folded in half
     /// turns further than a first order can tell.
-    pub fn part(&self, parent: &mut RigidBody, child: &mut RigidBody) -> bool {
+    pub fn part(&self, parent: &mut RigidBody, child: &mut RigidBody) -> f32 {
         let ((p1, q1), (p2, q2)) = (parent.nudged_pose(), child.nudged_pose());
         let left = (p1 + q1 * self.offset_parent) - (p2 + q2 * self.offset_child);
-        if left.length_squared() < SMALL_GAP * SMALL_GAP {
-            return false;
+        let gap = left.length();
+        if gap >= SMALL_GAP {
+            let nudge = self.yielding * -left.clamp_length_max(LONGEST_GAP);
+            parent.nudge(self.t1, nudge);
+            child.nudge(self.t2, -nudge);
         }
-        let nudge = self.yielding * -left.clamp_length_max(LONGEST_GAP);
-        parent.nudge(self.t1, nudge);
-        child.nudge(self.t2, -nudge);
-        true
+        gap
     }
     // ANCHOR_END: part
 
