@@ -110,7 +110,7 @@ fn fs_glass_ball(square: Square) -> Pixel {
     let u = normalize(square.sight);
     let hit = hit_of(square, u);
     let color = glassy(square.color, hit.normal, -u);
-    if hit.cover == 0.0 {
+    if hit.cover == 0.0 || is_too_close(hit.point) {
         discard;
     }
     return Pixel(vec4f(color.rgb, color.a * hit.cover), depth_of(hit.point));

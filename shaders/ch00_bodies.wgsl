@@ -91,6 +91,9 @@ fn fs_static(surface: Surface) -> @location(0) vec4f {
 
 @fragment
 fn fs_glass(surface: Surface) -> @location(0) vec4f {
-    let v = normalize(frame.camera_position - surface.point);
-    return glassy(surface.color, normalize(surface.normal), v);
+    let sight = surface.point - frame.camera_position;
+    if is_too_close(sight) {
+        discard;
+    }
+    return glassy(surface.color, normalize(surface.normal), -normalize(sight));
 }

@@ -12,7 +12,7 @@ struct Face {
     @location(0) color: vec4f,
 }
 
-// Faces are drawn twice: thinly through everything, and fully where nothing hides them.
+// Faces are drawn fully where nothing hides them, and thinly elsewhere.
 override opacity: f32 = 1.0;
 
 @vertex

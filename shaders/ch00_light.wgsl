@@ -59,6 +59,12 @@ fn painted(color: vec4f, tone: f32, n: vec3f, v: vec3f, sun_share: f32) -> vec3f
     return to_display(lit(mix(color.rgb, second, tone), n, v, sun_share) + glow);
 }
 
+// Whether glass at this point, from the viewer, is so close before the eyes that it would hide
+// all that it shall show.
+fn is_too_close(sight: vec3f) -> bool {
+    return length(sight) < 0.4 * distance(frame.focus, frame.camera_position);
+}
+
 // A body of glass: faint where one looks straight through it, stronger where its surface turns
 // away.
 fn glassy(color: vec4f, n: vec3f, v: vec3f) -> vec4f {

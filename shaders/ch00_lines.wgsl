@@ -18,7 +18,7 @@ struct Stroke {
     @location(2) @interpolate(flat) half_width: f32,
 }
 
-// Lines are drawn twice: thinly through everything, and fully where nothing hides them.
+// Lines are drawn fully where nothing hides them, and thinly elsewhere.
 override opacity: f32 = 1.0;
 
 @vertex

@@ -184,7 +184,7 @@ fn await_first_frame(output: impl Read + Send + 'static) {
 }
 
 /// The top binary beside this test's own folder.
-fn top_binary() -> PathBuf {
+pub fn top_binary() -> PathBuf {
     let test = std::env::current_exe().expect("a test has a path");
     let folder = test.ancestors().nth(2).expect("tests lie in deps");
     let binary = folder

@@ -4,9 +4,10 @@
 mod desktop;
 mod picture;
 
+use std::process::Command;
 use std::time::Duration;
 
-use desktop::{Desktop, HEIGHT, WIDTH};
+use desktop::{Desktop, HEIGHT, WIDTH, top_binary};
 use picture::{Area, Picture};
 
 /// Left of this the overlay's panel lies at the start, pixels.
@@ -17,6 +18,9 @@ const IN_PANEL: Area = Area::new(4, 4, PANEL - 8, HEIGHT - 8);
 
 /// The scene with the box of balls in its middle.
 const SCENE: Area = Area::new(PANEL + 10, 0, WIDTH - PANEL - 10, HEIGHT);
+
+/// Well inside the panel that shows the narrow phase of a pair.
+const NARROW: Area = Area::new(WIDTH - 390, 60, 380, HEIGHT - 80);
 
 /// The floor beside the box, in front.
 const FLOOR: Area = Area::new(WIDTH - 250, HEIGHT - 150, 240, 140);
@@ -109,6 +113,80 @@ fn resizing_and_hiding_are_survived_and_closing_ends_with_status_0() {
     assert_floor(&back);
     assert_panel(&back);
     assert!(desktop.close().success(), "the program ended with an error");
+}
+
+#[test]
+fn keys_show_layers_and_step_through_the_narrow_phase_of_a_pair() {
+    let mut desktop = Desktop::with_window(&["--scene", "mixed", "--count", "20"]);
+    std::thread::sleep(Duration::from_secs(4)); // until they have fallen
+    desktop.press("space");
+    pause();
+    let plain = desktop.screenshot();
+    desktop.press("3");
+    pause();
+    let contacts = desktop.screenshot();
+    let drawn = plain.differences(&contacts, SCENE);
+    assert!(drawn > 1000, "3 shows no contacts: {drawn} pixels changed");
+    desktop.press("x");
+    pause();
+    let solid = desktop.screenshot();
+    let changed = contacts.differences(&solid, SCENE);
+    assert!(changed > 1000, "X leaves bodies of glass: {changed} pixels");
+
+    desktop.press("g");
+    pause();
+    let end = desktop.screenshot();
+    let opened = solid.differences(&end, NARROW);
+    assert!(opened > 10_000, "G opens no panel: {opened} pixels changed");
+    desktop.press("Left");
+    pause();
+    let before = desktop.screenshot();
+    let stepped = end.differences(&before, NARROW);
+    assert!(stepped > 100, "Left goes nowhere: {stepped} pixels changed");
+    desktop.press("End");
+    pause();
+    let back = desktop.screenshot();
+    assert_eq!(end.differences(&back, NARROW), 0, "End isn't where G began");
+
+    for key in ["b", "g", "x", "3"] {
+        desktop.press(key);
+    }
+    pause();
+    assert!(desktop.close().success(), "the program ended with an error");
+}
+
+#[test]
+fn a_picture_shows_layers_and_the_narrow_phase_too() {
+    let folder = tempfile::tempdir().expect("a folder for pictures");
+    let picture = |name: &str, flags: &[&str]| {
+        let file = folder.path().join(name);
+        let run = Command::new(top_binary())
+            .args(["--scene", "mixed", "--count", "20", "--steps", "120"])
+            .args(flags)
+            .arg("--screenshot")
+            .arg(&file)
+            .output()
+            .expect("the program was found and can be started");
+        let said = String::from_utf8_lossy(&run.stderr);
+        assert!(run.status.success(), "{flags:?}: {said}");
+        Picture::load(&file)
+    };
+    let plain = picture("plain.png", &[]);
+    let layers = picture("layers.png", &["--layers", "aabbs,cells,contacts,frames"]);
+    let drawn = plain.differences(&layers, Area::new(0, 0, WIDTH, HEIGHT));
+    assert!(drawn > 1000, "only {drawn} pixels of layers");
+    let first = picture("first.png", &["--dissect", "deepest,1"]);
+    let last = picture("last.png", &["--dissect", "deepest"]);
+    let stepped = first.differences(&last, NARROW);
+    assert!(
+        stepped > 1000,
+        "all iterations look the same: {stepped} pixels"
+    );
+    let inset = first.colors(NARROW);
+    assert!(
+        inset > 100,
+        "only {inset} colours in the narrow phase's panel"
+    );
 }
 
 /// The floor is mostly of few light colours, with the lines of the grid on it.

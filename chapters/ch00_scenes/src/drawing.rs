@@ -301,11 +301,15 @@ const AXES: [Rgb; 3] = [palette::VERMILLION, palette::GREEN, palette::BLUE];
 /// Points of a circle about a unit vector, the last one the first again.
 fn circle(centre: Vec3, axis: Vec3, radius: f32, pieces: u32) -> Vec<Vec3> {
     let (u, v) = axis.any_orthonormal_pair();
-    let at = |i: u32| {
-        let turn = Vec2::from_angle(TAU * (i % pieces) as f32 / pieces as f32);
-        centre + (u * turn.x + v * turn.y) * radius
-    };
-    (0..=pieces).map(at).collect()
+    let piece = Vec2::from_angle(TAU / pieces as f32);
+    let mut turn = Vec2::X;
+    let mut points = Vec::with_capacity(pieces as usize + 1);
+    for _ in 0..pieces {
+        points.push(centre + (u * turn.x + v * turn.y) * radius);
+        turn = piece.rotate(turn);
+    }
+    points.push(points[0]);
+    points
 }
 
 /// A colour in the light from above, so that a solid shows its form.

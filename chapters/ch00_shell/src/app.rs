@@ -30,12 +30,7 @@ const SIZE: LogicalSize<u32> = LogicalSize::new(1280, 720);
 /// # Errors
 /// [`ShellError::NoDisplay`] or [`ShellError::NoAdapter`] where there can be no window,
 /// [`ShellError::Graphics`] if the device fails.
-pub fn run(
-    chapter: &Chapter,
-    session: Session,
-    pace: Pace,
-    show: Show,
-) -> Result<(), ShellError> {
+pub fn run(chapter: &Chapter, session: Session, pace: Pace, show: Show) -> Result<(), ShellError> {
     let start = Instant::now();
     let event_loop = EventLoop::<Ready>::with_user_event()
         .build()

@@ -3,10 +3,13 @@
 
 use std::f64::consts::TAU;
 
-use ch00_scenes::{ContactPoint, Dissection, Drawing, Face, Force, Key, Layer, Mark, Scene, orbits};
+use ch00_scenes::{
+    ContactPoint, Dissection, Drawing, Face, Force, Key, Layer, Line, Mark, Scene, orbits,
+};
 use glam::DVec3;
 
 use crate::Session;
+use crate::render::Theme;
 use crate::render::lines::{Stroke, stroke_between, stroke_of};
 use crate::show::Show;
 use crate::stage::Stage;
@@ -39,7 +42,7 @@ impl Guides {
     /// Collects those of a window's frame.
     pub fn collect(&mut self, stage: &Stage) {
         let session = stage.session();
-        self.collect_shown(session, &stage.show);
+        self.collect_shown(session, &stage.show, stage.theme);
         add_fixtures(session, stage.alpha(), &mut self.strokes);
         if let Some(pull) = stage.pulled() {
             let (position, orientation) = session.pose(pull.body, stage.alpha());
@@ -50,15 +53,15 @@ impl Guides {
 
     /// Collects those of a picture of the last state.
     #[must_use]
-    pub fn of_picture(session: &Session, show: &Show) -> Self {
+    pub fn of_picture(session: &Session, show: &Show, theme: Theme) -> Self {
         let mut guides = Self::default();
-        guides.collect_shown(session, show);
+        guides.collect_shown(session, show, theme);
         add_fixtures(session, 1.0, &mut guides.strokes);
         guides
     }
 
     /// Layers and pair.
-    fn collect_shown(&mut self, session: &Session, show: &Show) {
+    fn collect_shown(&mut self, session: &Session, show: &Show, theme: Theme) {
         self.strokes.clear();
         self.faces.clear();
         self.marks.clear();
@@ -66,7 +69,7 @@ impl Guides {
         self.contacts.clear();
         for layer in Layer::ALL {
             if show.layers.contains(&layer) {
-                self.add(&session.engine().layer(layer));
+                self.add(&session.engine().layer(layer), theme);
             }
         }
         if show.layers.contains(&Layer::Contacts) {
@@ -74,14 +77,22 @@ impl Guides {
         }
         self.dissection = show.pair.and_then(|pair| pair.dissect(session));
         if let Some(dissection) = self.dissection.take() {
-            self.add(&dissection.world);
+            self.add(&dissection.world, theme);
             self.dissection = Some(dissection);
         }
     }
 
-    fn add(&mut self, drawing: &Drawing) {
-        self.strokes.extend(drawing.lines.iter().map(stroke_of));
-        self.faces.extend_from_slice(&drawing.faces);
+    fn add(&mut self, drawing: &Drawing, theme: Theme) {
+        self.strokes.extend(drawing.lines.iter().map(|line| {
+            let color = theme.standing_out(line.color);
+            stroke_of(&Line { color, ..*line })
+        }));
+        self.faces.extend(drawing.faces.iter().map(|face| {
+            let [r, g, b, opacity] = face.color;
+            let [r, g, b] = theme.standing_out([r, g, b]);
+            let color = [r, g, b, opacity];
+            Face { color, ..*face }
+        }));
         self.marks.extend_from_slice(&drawing.marks);
         self.key.extend_from_slice(&drawing.key);
     }

@@ -158,7 +158,7 @@ fn act(stage: &mut Stage, key: &Key<&str>) {
         Key::Character("v" | "V") => stage.toggle_pace(),
         Key::Character("c" | "C") => stage.move_camera_home(),
         Key::Character("g" | "G") => stage.toggle_pair(),
-        Key::Character("b" | "B") => stage.move_camera_to_pair(),
+        Key::Character("b" | "B") => stage.move_camera_near(),
         Key::Named(NamedKey::ArrowLeft) => stage.move_step(-1),
         Key::Named(NamedKey::ArrowRight) => stage.move_step(1),
         Key::Named(NamedKey::Home) => stage.move_step(isize::MIN),
@@ -199,6 +199,9 @@ mod tests {
         assert_eq!(layer_of("1"), Some(Layer::Aabbs));
         assert_eq!(layer_of("3"), Some(Layer::Contacts));
         assert_eq!(layer_of("6"), Some(Layer::Limits));
-        assert_eq!((layer_of("0"), layer_of("7"), layer_of("x")), (None, None, None));
+        assert_eq!(
+            (layer_of("0"), layer_of("7"), layer_of("x")),
+            (None, None, None)
+        );
     }
 }

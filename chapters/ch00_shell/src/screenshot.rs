@@ -37,12 +37,7 @@ pub struct View {
 /// # Errors
 /// [`ShellError::NoAdapter`] or [`ShellError::Graphics`] where it can't be drawn,
 /// [`ShellError::Write`] where it can't be written.
-pub fn save(
-    session: &Session,
-    show: &Show,
-    view: View,
-    path: &Path,
-) -> Result<String, ShellError> {
+pub fn save(session: &Session, show: &Show, view: View, path: &Path) -> Result<String, ShellError> {
     let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
     let instance = wgpu::Instance::new(descriptor);
     let gpu = pollster::block_on(Gpu::request(&instance, None))?;
@@ -66,7 +61,7 @@ fn draw(gpu: &Gpu, session: &Session, show: &Show, view: View) -> Result<Vec<u8>
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
         view_formats: &[],
     });
-    let guides = Guides::of_picture(session, show);
+    let guides = Guides::of_picture(session, show, view.theme);
     let surroundings = Surroundings::of(session.scene());
     let mut still = Still::new(gpu, FORMAT, SIZE, view.theme);
     let mut viewport = Viewport::whole(SIZE);
@@ -118,7 +113,9 @@ fn camera(
     }
     let (low, high) = match (&show.pair, view.angles_and_zoom) {
         (Some(pair), _) => pair.corners(session),
-        (None, Some(_)) => corners_of_moving(session).unwrap_or((surroundings.low, surroundings.high)),
+        (None, Some(_)) => {
+            corners_of_moving(session).unwrap_or((surroundings.low, surroundings.high))
+        }
         (None, None) => (surroundings.low, surroundings.high),
     };
     camera.frame(low, high, viewport);
@@ -128,11 +125,20 @@ fn camera(
 
 /// Corners of the box about all bodies that can move where they are now, if there are any, m.
 fn corners_of_moving(session: &Session) -> Option<(Vec3, Vec3)> {
-    let bodies = session.scene().bodies.iter().zip(&session.state_now().position);
-    let boxes = bodies.filter(|(body, _)| !body.is_static()).map(|(body, position)| {
-        let radius = body.shape.bounding_radius();
-        ((*position - radius).as_vec3(), (*position + radius).as_vec3())
-    });
+    let bodies = session
+        .scene()
+        .bodies
+        .iter()
+        .zip(&session.state_now().position);
+    let boxes = bodies
+        .filter(|(body, _)| !body.is_static())
+        .map(|(body, position)| {
+            let radius = body.shape.bounding_radius();
+            (
+                (*position - radius).as_vec3(),
+                (*position + radius).as_vec3(),
+            )
+        });
     boxes.reduce(|one, two| (one.0.min(two.0), one.1.max(two.1)))
 }
 

@@ -1,7 +1,7 @@
 //! What is shown besides the bodies: layers of the engine's inner state, and a pair of bodies
 //! whose narrow phase is looked at, iteration by iteration.
 
-use ch00_scenes::{Dissection, Layer};
+use ch00_scenes::{ContactPoint, Dissection, Layer};
 use glam::{Vec2, Vec3};
 
 use crate::{Session, ShellError};
@@ -153,11 +153,11 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// Looks at where the narrow phase ends.
+    /// Looks at where the narrow phase ends, which takes the smaller index first.
     #[must_use]
-    pub fn new(bodies: [usize; 2]) -> Self {
+    pub fn new([one, two]: [usize; 2]) -> Self {
         Self {
-            bodies,
+            bodies: [one.min(two), one.max(two)],
             step: None,
             turn: Vec2::ZERO,
             zoom: 1.0,
@@ -188,7 +188,7 @@ impl Pair {
             low = low.min(large.0 - large.1);
             high = high.max(large.0 + large.1);
         }
-        let room = 0.25 * (high - low);
+        let room = 0.05 * (high - low);
         ((low - room).as_vec3(), (high + room).as_vec3())
     }
 
@@ -214,8 +214,16 @@ pub struct Neighbour {
 /// bounding boxes bring near.
 #[must_use]
 pub fn neighbours(session: &Session, body: usize) -> Vec<Neighbour> {
+    neighbours_in(&session.engine().contacts(), session.engine().pairs(), body)
+}
+
+fn neighbours_in(
+    contacts: &[ContactPoint],
+    pairs: &[(usize, usize)],
+    body: usize,
+) -> Vec<Neighbour> {
     let mut found: Vec<Neighbour> = Vec::new();
-    for contact in session.engine().contacts() {
+    for contact in contacts {
         let Some(other) = other_of([contact.a, contact.b], body) else {
             continue;
         };
@@ -228,8 +236,9 @@ pub fn neighbours(session: &Session, body: usize) -> Vec<Neighbour> {
             }),
         }
     }
-    found.sort_by(|one, two| two.impulse.unwrap_or(0.0).total_cmp(&one.impulse.unwrap_or(0.0)));
-    for &(a, b) in session.engine().pairs() {
+    let pressed = |neighbour: &Neighbour| neighbour.impulse.unwrap_or(0.0);
+    found.sort_by(|one, two| pressed(two).total_cmp(&pressed(one)));
+    for &(a, b) in pairs {
         if let Some(other) = other_of([a, b], body)
             && found.iter().all(|known| known.body != other)
         {
@@ -246,16 +255,22 @@ pub fn neighbours(session: &Session, body: usize) -> Vec<Neighbour> {
 /// without contacts, the first pair that the broad phase found.
 #[must_use]
 pub fn worth_looking_at(session: &Session, body: Option<usize>) -> Option<[usize; 2]> {
+    deepest_in(&session.engine().contacts(), session.engine().pairs(), body)
+}
+
+fn deepest_in(
+    contacts: &[ContactPoint],
+    pairs: &[(usize, usize)],
+    body: Option<usize>,
+) -> Option<[usize; 2]> {
     let fits = |pair: &[usize; 2]| body.is_none_or(|body| pair.contains(&body));
-    let contacts = session.engine().contacts();
     let deepest = contacts
         .iter()
         .filter(|contact| fits(&[contact.a, contact.b]))
-        .max_by(|one, two| one.depth.total_cmp(&two.depth));
-    let mut pairs = session.engine().pairs().iter().map(|&(a, b)| [a, b]);
-    deepest
-        .map(|contact| [contact.a, contact.b])
-        .or_else(|| pairs.find(fits))
+        .max_by(|one, two| one.depth.total_cmp(&two.depth))
+        .map(|contact| [contact.a, contact.b]);
+    let mut pairs = pairs.iter().map(|&(a, b)| [a, b]);
+    deepest.or_else(|| pairs.find(fits))
 }
 
 /// The other one of a pair, if this body is in it.
@@ -264,5 +279,92 @@ fn other_of([a, b]: [usize; 2], body: usize) -> Option<usize> {
         _ if body == a => Some(b),
         _ if body == b => Some(a),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use ch00_scenes::{Drawing, Phase};
+    use glam::DVec3;
+
+    use super::*;
+
+    fn contact(a: usize, b: usize, depth: f64, impulse: f64) -> ContactPoint {
+        ContactPoint {
+            a,
+            b,
+            point: DVec3::ZERO,
+            normal: DVec3::Y,
+            depth,
+            impulse: impulse * DVec3::Y,
+        }
+    }
+
+    #[test]
+    fn neighbours_are_the_hardest_pressed_first_and_then_the_near_ones() {
+        let contacts = [
+            contact(1, 2, 0.0, 0.4),
+            contact(2, 3, 0.0, 0.3),
+            contact(2, 3, 0.0, 0.3),
+            contact(4, 5, 0.0, 9.0),
+        ];
+        let pairs = [(0, 2), (1, 2), (2, 3), (4, 5)];
+        let found = neighbours_in(&contacts, &pairs, 2);
+        let bodies: Vec<usize> = found.iter().map(|neighbour| neighbour.body).collect();
+        assert_eq!(bodies, [3, 1, 0]);
+        let impulses: Vec<_> = found.iter().map(|neighbour| neighbour.impulse).collect();
+        assert_eq!(impulses, [Some(0.6), Some(0.4), None]);
+    }
+
+    #[test]
+    fn the_deepest_contact_is_worth_looking_at_or_else_a_near_pair() {
+        let contacts = [contact(1, 2, 0.1, 0.0), contact(2, 3, 0.2, 0.0)];
+        let pairs = [(0, 1), (1, 2), (2, 3)];
+        assert_eq!(deepest_in(&contacts, &pairs, None), Some([2, 3]));
+        assert_eq!(deepest_in(&contacts, &pairs, Some(1)), Some([1, 2]));
+        assert_eq!(deepest_in(&contacts, &pairs, Some(0)), Some([0, 1]));
+        assert_eq!(deepest_in(&contacts, &pairs, Some(7)), None);
+    }
+
+    #[test]
+    fn a_layer_is_shown_and_taken_away_and_bodies_are_of_glass_meanwhile() {
+        let mut show = Show::default();
+        assert!(!show.is_any() && !show.is_glass());
+        show.toggle(Layer::Contacts);
+        assert!(show.is_any() && show.is_glass());
+        show.is_see_through = false;
+        assert!(!show.is_glass());
+        show.toggle(Layer::Contacts);
+        assert!(!show.is_any());
+    }
+
+    #[test]
+    fn steps_stop_at_both_ends_and_the_last_one_stays_the_last() {
+        let at = |step| Dissection {
+            phases: vec![Phase {
+                name: "GJK",
+                steps: 4,
+            }],
+            step,
+            title: String::new(),
+            text: String::new(),
+            bounds: Vec::new(),
+            surface: Vec::new(),
+            core: Vec::new(),
+            difference: Drawing::default(),
+            world: Drawing::default(),
+        };
+        let mut pair = Pair::new([5, 2]);
+        assert_eq!((pair.bodies, pair.step), ([2, 5], None));
+        for (by, from, to) in [
+            (-1, 3, Some(2)),
+            (1, 2, None),
+            (isize::MIN, 2, Some(0)),
+            (-1, 0, Some(0)),
+            (isize::MAX, 0, None),
+        ] {
+            pair.move_step(by, &at(from));
+            assert_eq!(pair.step, to);
+        }
     }
 }

@@ -179,7 +179,10 @@ fn frames_are_three_axes_a_body_and_a_link_to_what_it_circles() {
     assert_eq!(engine.layer(Layer::Aabbs), Drawing::default());
     // The planet's link ends at the carrier of the sun, which is where the sun is.
     let state = state_of(engine.as_ref());
-    let link = lines.iter().filter(|line| line.color == palette::GREY).nth(1);
+    let link = lines
+        .iter()
+        .filter(|line| line.color == palette::GREY)
+        .nth(1);
     let from = state.position[2].as_vec3().to_array();
     let to = state.position[1].as_vec3().to_array();
     assert_eq!(link.map(|line| (line.from, line.to)), Some((from, to)));

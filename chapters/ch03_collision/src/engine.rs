@@ -172,6 +172,38 @@ impl CollisionEngine {
     }
     // ANCHOR_END: resolve
 
+    /// What it does with the scene and why, and what becomes of joints.
+    #[must_use]
+    pub fn explain_with(&self, joints: &str) -> String {
+        let resolution = match self.method {
+            Method::Printed => "every contact once, as printed, no friction".to_owned(),
+            Method::Corrected => format!(
+                "at most {} sweeps each for pushing apart (three times as many where bodies are far off), \
+                 impacts and resting contact with Coulomb friction; \
+                 impacts under {} m/s don't bounce; depths under {} mm are left alone",
+                self.rules.sweeps,
+                self.rules.restitution_threshold,
+                self.rules.slop * 1000.0
+            ),
+        };
+        format!(
+            "scene `{}` as rigid bodies that collide, method {}:\n\
+             1. objects update: p, q by velocity-less Verlet from p*, q* ({} bodies, {} of them static)\n\
+             2. objects gather: {} forces of the scene as callbacks, gravity as an acceleration\n\
+             3. broad phase: bounding boxes in a KD-tree, built anew each step\n\
+             4. narrow phase: balls and capsules against each other, and balls against boxes and cylinders, in \
+             closed form; all other pairs by GJK and EPA, with up to four contact points\n\
+             5. resolve: {resolution}\n\
+             6. scene graph: world transforms\n\
+             {joints} Held bodies don't collide.\n",
+            self.scene.name,
+            self.method.name(),
+            self.scene.bodies.len(),
+            self.scene.bodies.len() - self.scene.dynamic_count(),
+            self.scene.forces.len(),
+        )
+    }
+
     /// Writes the bodies' places into the scene graph.
     pub fn place_nodes(&mut self) {
         let graph = &mut self.world.level.graph;
@@ -272,35 +304,7 @@ impl Engine for CollisionEngine {
     }
 
     fn explain(&self) -> String {
-        let resolution = match self.method {
-            Method::Printed => "every contact once, as printed, no friction".to_owned(),
-            Method::Corrected => format!(
-                "{} sweeps each for pushing apart, impacts and resting contact with Coulomb friction; \
-                 impacts under {} m/s don't bounce; depths under {} mm are left alone",
-                self.rules.sweeps,
-                self.rules.restitution_threshold,
-                self.rules.slop * 1000.0
-            ),
-        };
-        format!(
-            "scene `{}` as rigid bodies that collide, method {}:\n\
-             1. objects update: p, q by velocity-less Verlet from p*, q* ({} bodies, {} of them static)\n\
-             2. objects gather: {} forces of the scene as callbacks, gravity as an acceleration\n\
-             3. broad phase: bounding boxes in a KD-tree, built anew each step\n\
-             4. narrow phase: balls against balls and boxes in closed form\n\
-             5. resolve: {resolution}\n\
-             6. scene graph: world transforms\n\
-             Left out: other pairs of shapes, and joints (chapter 4). Held bodies don't collide.\n",
-            self.scene.name,
-            self.method.name(),
-            self.scene.bodies.len(),
-            self.scene.bodies.len() - self.scene.dynamic_count(),
-            self.scene.forces.len(),
-        )
-    }
-
-    fn pairs(&self) -> &[(usize, usize)] {
-        self.tree.pairs()
+        self.explain_with("Joints are chapter 4.")
     }
 
     fn layer(&self, layer: Layer) -> Drawing {

@@ -126,14 +126,13 @@ impl Engine for RagdollEngine {
                 self.level.rules().sweeps
             ),
         };
-        format!(
-            "{}Joints, after the objects' update: {} trees with {} joints, and {} joints that close loops; \
-             {sweeps}. Bodies that a joint connects don't collide.\n",
-            self.level.explain(),
+        self.level.explain_with(&format!(
+            "Joints, after the objects' update: {} trees with {} joints, and {} joints that close loops; \
+             {sweeps}. Bodies that a joint connects don't collide.",
             self.joints.ragdolls.len(),
             self.joints.joints().count() - self.joints.loops.len(),
             self.joints.loops.len(),
-        )
+        ))
     }
 
     fn layer(&self, layer: Layer) -> Drawing {
@@ -145,7 +144,15 @@ impl Engine for RagdollEngine {
     }
 
     fn layers(&self) -> &'static [Layer] {
-        &Layer::ALL
+        if self.joints.joints().next().is_some() {
+            &Layer::ALL
+        } else {
+            self.level.layers()
+        }
+    }
+
+    fn pairs(&self) -> &[(usize, usize)] {
+        self.level.pairs()
     }
 
     fn dissect(&self, a: usize, b: usize, step: usize) -> Option<Dissection> {

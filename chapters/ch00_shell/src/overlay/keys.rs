@@ -19,12 +19,15 @@ const KEYS: [(&str, &str); 18] = [
     ("1 to 6", "layers, in the order of the list"),
     ("X", "bodies of glass while layers are shown, or not"),
     ("G", "look into the narrow phase of a pair, or stop"),
-    ("B", "camera to that pair"),
+    ("B", "camera near that pair, or the picked body"),
     ("Left Right Home End", "through its iterations"),
     ("H or F1", "this panel"),
     ("Ctrl-Q", "close the window"),
     ("drag a body", "pull it by a spring"),
-    ("Shift-click a body", "look at it and the one clicked before"),
+    (
+        "Shift-click a body",
+        "look at it and the one clicked before",
+    ),
     ("drag elsewhere", "turn the camera"),
     ("wheel; Shift-drag", "closer or farther; move"),
 ];

@@ -3,10 +3,20 @@
 use ch00_scenes::{Key, Rgb};
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Visuals, vec2};
 
-use crate::render::byte;
+use crate::render::{Theme, byte};
 
 /// A colour of a drawing as the overlay wants it.
-pub fn color32(color: Rgb, opacity: f32) -> Color32 {
+pub fn color32(visuals: &Visuals, color: Rgb, opacity: f32) -> Color32 {
+    let theme = if visuals.dark_mode {
+        Theme::Dark
+    } else {
+        Theme::Light
+    };
+    plain_color(theme.standing_out(color), opacity)
+}
+
+/// A colour as it is.
+pub fn plain_color(color: Rgb, opacity: f32) -> Color32 {
     let [r, g, b] = color.map(byte);
     Color32::from_rgba_unmultiplied(r, g, b, byte(opacity))
 }
@@ -16,7 +26,7 @@ pub fn dot(painter: &Painter, visuals: &Visuals, at: Pos2, color: Rgb, text: &st
     const RADIUS: f32 = 4.0;
     let paper = visuals.extreme_bg_color;
     painter.circle_filled(at, RADIUS + 1.5, paper.gamma_multiply(0.85));
-    painter.circle_filled(at, RADIUS, color32(color, 1.0));
+    painter.circle_filled(at, RADIUS, color32(visuals, color, 1.0));
     if !text.is_empty() {
         let place = at + vec2(7.0, -7.0);
         letters(painter, visuals, place, Align2::LEFT_BOTTOM, text, 13.0);
@@ -60,7 +70,7 @@ pub fn key_box(painter: &Painter, visuals: &Visuals, corner: Pos2, key: &[Key]) 
     let mut at = frame.min + vec2(PADDING, PADDING - 1.0);
     for (entry, text) in key.iter().zip(texts) {
         let swatch = Rect::from_min_size(at + vec2(0.0, 5.0), vec2(SWATCH, 5.0));
-        painter.rect_filled(swatch, 2.5, color32(entry.color, 1.0));
+        painter.rect_filled(swatch, 2.5, color32(visuals, entry.color, 1.0));
         painter.galley(at + vec2(SWATCH + 8.0, 1.0), text, ink);
         at.y += LINE;
     }

@@ -103,10 +103,10 @@ impl Overlay {
             sections: vec![
                 Box::new(speed::Speed),
                 Box::new(setup::Setup),
-                Box::new(errors::Errors),
-                Box::new(counts::Counts),
                 Box::new(layers::Layers),
                 Box::new(narrow::Choice),
+                Box::new(errors::Errors),
+                Box::new(counts::Counts),
                 Box::new(view::View),
                 Box::new(plan::Plan),
                 Box::new(keys::Keys),

@@ -94,15 +94,21 @@ fn words(contact: &ContactPoint) -> String {
     } else {
         format!("depth    {}", length(contact.depth))
     };
-    let [x, y, z] = contact.normal.to_array();
-    let mut text = format!(
-        "bodies   {} and {}\n{depth}\nnormal   {x:.2} {y:.2} {z:.2}\nimpulse  {along:.4} N s\nfriction {across:.4} N s",
+    // Adding 0 makes −0 a 0.
+    let [x, y, z] = contact
+        .normal
+        .to_array()
+        .map(|part| (100.0 * part).round() / 100.0 + 0.0);
+    let share = if along > 0.0 {
+        format!(" = {:.2} of it", across / along)
+    } else {
+        String::new()
+    };
+    format!(
+        "bodies   {} and {}\n{depth}\nnormal   {x:.2} {y:.2} {z:.2}\nimpulse  {along:.4} N s\n\
+         friction {across:.4} N s{share}",
         contact.a, contact.b
-    );
-    if along > 0.0 {
-        text += &format!(" = {:.2} of it", across / along);
-    }
-    text
+    )
 }
 
 #[cfg(test)]

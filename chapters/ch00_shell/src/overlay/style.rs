@@ -27,6 +27,7 @@ pub fn apply(context: &egui::Context, theme: Theme) {
     });
     context.style_mut_of(egui::Theme::Dark, |style| {
         style.visuals.panel_fill = Color32::from_rgb(24, 29, 38);
+        style.visuals.extreme_bg_color = Color32::from_rgb(14, 18, 25);
         style.visuals.override_text_color = Some(Color32::from_gray(215));
         style.visuals.weak_text_color = Some(Color32::from_gray(150));
     });

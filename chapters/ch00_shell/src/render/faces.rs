@@ -17,11 +17,10 @@ struct Corner {
     color: [u8; 4],
 }
 
-const CORNER: [wgpu::VertexAttribute; 2] =
-    wgpu::vertex_attr_array![0 => Float32x3, 1 => Unorm8x4];
+const CORNER: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x3, 1 => Unorm8x4];
 
-/// How much of a face shows through what hides it.
-const THROUGH: f64 = 0.4;
+/// How much of a face or a line shows through what hides it.
+pub const THROUGH: f64 = 0.4;
 
 /// Corners and the pipelines that draw them.
 pub struct Faces {
@@ -29,7 +28,7 @@ pub struct Faces {
     /// How many corners are of solid faces, which come first, and how many there are.
     solid: u32,
     all: u32,
-    through: wgpu::RenderPipeline,
+    hidden: wgpu::RenderPipeline,
     solid_ones: wgpu::RenderPipeline,
     translucent_ones: wgpu::RenderPipeline,
 }
@@ -60,20 +59,14 @@ impl Faces {
             corners: GrowingBuffer::new(maker.device, "faces", wgpu::BufferUsages::VERTEX),
             solid: 0,
             all: 0,
-            through: pipeline(wgpu::CompareFunction::Always, false, THROUGH),
+            hidden: pipeline(wgpu::CompareFunction::Less, false, THROUGH),
             solid_ones: pipeline(wgpu::CompareFunction::GreaterEqual, true, 1.0),
             translucent_ones: pipeline(wgpu::CompareFunction::GreaterEqual, false, 1.0),
         }
     }
 
     /// Takes the faces of a frame that is seen from `eye`.
-    pub fn write(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        faces: &[Face],
-        eye: Vec3,
-    ) {
+    pub fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, faces: &[Face], eye: Vec3) {
         let (corners, solid) = in_order(faces, eye);
         self.corners.write(device, queue, &corners);
         // More than 2³² corners would draw none.
@@ -81,14 +74,18 @@ impl Faces {
         self.all = u32::try_from(corners.len()).unwrap_or(0);
     }
 
-    /// Draws them faintly through everything.
-    pub fn draw_through(&self, pass: &mut wgpu::RenderPass) {
-        self.draw_range(pass, &self.through, 0..self.all);
+    /// Draws them faintly where something hides them.
+    pub fn draw_hidden(&self, pass: &mut wgpu::RenderPass) {
+        self.draw_range(pass, &self.hidden, 0..self.all);
     }
 
-    /// Draws them where nothing hides them.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass) {
+    /// Draws the solid ones where nothing hides them.
+    pub fn draw_solid(&self, pass: &mut wgpu::RenderPass) {
         self.draw_range(pass, &self.solid_ones, 0..self.solid);
+    }
+
+    /// Draws the translucent ones where nothing hides them.
+    pub fn draw_translucent(&self, pass: &mut wgpu::RenderPass) {
         self.draw_range(pass, &self.translucent_ones, self.solid..self.all);
     }
 

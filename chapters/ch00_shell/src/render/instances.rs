@@ -66,7 +66,9 @@ impl Instances {
             }
             let (shape, size) = shape_and_size(&body.shape);
             let (position, orientation) = picture.session.pose(i, picture.alpha);
-            let place = picture.pair.and_then(|pair| pair.iter().position(|&j| j == i));
+            let place = picture
+                .pair
+                .and_then(|pair| pair.iter().position(|&j| j == i));
             let color = match place {
                 Some(place) => pair_color(place),
                 None if body.is_static() => colors.ground,
@@ -103,11 +105,7 @@ impl Instances {
             self.all.extend_from_slice(instances);
             let range = start..count(self.all.len());
             if !range.is_empty() {
-                self.groups.push(Group {
-                    shape,
-                    look,
-                    range,
-                });
+                self.groups.push(Group { shape, look, range });
             }
         }
     }

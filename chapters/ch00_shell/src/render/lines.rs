@@ -1,11 +1,11 @@
 //! Lines: what an engine shows of its inner state, edges of walls, the pull of the mouse.
-//! Each is drawn faintly through everything, and fully where nothing hides it.
+//! Each is drawn fully where nothing hides it, and faintly elsewhere.
 
 use ch00_scenes::Line;
 use glam::Vec3;
 
 use super::buffer::GrowingBuffer;
-use super::faces::byte;
+use super::faces::{THROUGH, byte};
 use super::pipeline::{PipelineMaker, Recipe};
 use super::shaders;
 use super::surroundings::{Face, Surroundings};
@@ -33,7 +33,7 @@ pub struct Lines {
     strokes: GrowingBuffer,
     count: u32,
     full: wgpu::RenderPipeline,
-    through: wgpu::RenderPipeline,
+    hidden: wgpu::RenderPipeline,
 }
 
 impl Lines {
@@ -62,7 +62,7 @@ impl Lines {
             strokes: GrowingBuffer::new(maker.device, "lines", wgpu::BufferUsages::VERTEX),
             count: 0,
             full: pipeline(wgpu::CompareFunction::GreaterEqual, 1.0),
-            through: pipeline(wgpu::CompareFunction::Always, 0.4),
+            hidden: pipeline(wgpu::CompareFunction::Less, THROUGH),
         }
     }
 
@@ -73,9 +73,9 @@ impl Lines {
         self.count = u32::try_from(strokes.len()).unwrap_or(0);
     }
 
-    /// Draws them faintly through everything.
-    pub fn draw_through(&self, pass: &mut wgpu::RenderPass) {
-        self.draw_with(pass, &self.through);
+    /// Draws them faintly where something hides them.
+    pub fn draw_hidden(&self, pass: &mut wgpu::RenderPass) {
+        self.draw_with(pass, &self.hidden);
     }
 
     /// Draws them where nothing hides them.

@@ -199,19 +199,17 @@ impl Renderer {
         self.bodies.draw_all_but_balls(&mut pass);
         self.scenery.draw(&mut pass);
         self.bodies.draw_balls_only(&mut pass);
-        self.faces.draw_through(&mut pass);
-        self.lines.draw_through(&mut pass);
-        self.draw_drawings(&mut pass);
+        self.faces.draw_hidden(&mut pass);
+        self.lines.draw_hidden(&mut pass);
+        self.faces.draw_solid(&mut pass);
+        self.faces.draw_translucent(&mut pass);
+        self.lines.draw(&mut pass);
         if self.bodies.draw_glass(&mut pass) {
             // Once more, for what is before the glass.
-            self.draw_drawings(&mut pass);
+            self.faces.draw_solid(&mut pass);
+            self.lines.draw(&mut pass);
         }
         drop(pass);
         self.targets = Some(targets);
-    }
-
-    fn draw_drawings(&self, pass: &mut wgpu::RenderPass) {
-        self.faces.draw(pass);
-        self.lines.draw(pass);
     }
 }

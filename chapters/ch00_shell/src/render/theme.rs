@@ -1,5 +1,6 @@
 //! Colours: of sky, ground and grid, light and dark, and of the bodies.
 
+use ch00_scenes::Rgb;
 use glam::Vec3;
 
 /// A look of the picture.
@@ -62,6 +63,17 @@ impl Theme {
                 grid_strength: 0.35,
                 edge_display: [170, 190, 214, 110],
             },
+        }
+    }
+}
+
+impl Theme {
+    /// A colour of a drawing so that it stands out from this theme's background.
+    #[must_use]
+    pub fn standing_out(self, color: Rgb) -> Rgb {
+        match self {
+            Theme::Light => color.map(|part| 0.92 * part),
+            Theme::Dark => color.map(|part| part + 0.3 * (1.0 - part)),
         }
     }
 }

@@ -21,10 +21,10 @@ impl Stage {
         if !self.is_paused {
             self.toggle_pause();
         }
-        let pair = self.show.pair.unwrap_or(Pair::new(bodies));
+        let last = self.show.pair;
+        let pair = Pair::new(bodies);
         self.show.pair = Some(Pair {
-            bodies,
-            step: None,
+            turn: last.map_or(pair.turn, |last| last.turn),
             ..pair
         });
     }
@@ -67,12 +67,20 @@ impl Stage {
         }
     }
 
-    /// Moves the camera so that the pair fills the picture.
-    pub fn move_camera_to_pair(&mut self) {
-        if let Some(pair) = self.show.pair {
-            let (low, high) = pair.corners(&self.session);
-            let viewport = self.viewport();
-            self.camera_to_move().frame(low, high, viewport);
-        }
+    /// Moves the camera so that the pair fills the picture, or else the picked body and what is
+    /// around it.
+    pub fn move_camera_near(&mut self) {
+        let corners = match (&self.show.pair, self.picked) {
+            (Some(pair), _) => pair.corners(&self.session),
+            (None, Some(body)) => {
+                let radius = self.session.scene().bodies[body].shape.bounding_radius();
+                let centre = self.session.state_now().position[body];
+                let room = 2.0 * radius;
+                ((centre - room).as_vec3(), (centre + room).as_vec3())
+            }
+            (None, None) => return,
+        };
+        let viewport = self.viewport();
+        self.camera_to_move().frame(corners.0, corners.1, viewport);
     }
 }

@@ -41,6 +41,7 @@ pub fn capsule_capsule(
     } else {
         way_out(&axis_1, &axis_2, a.q * Vec3::Y)
     };
+    // ANCHOR: spots
     let spot = |s, feature| {
         let on_1 = axis_1.at(s);
         let on_2 = axis_2.at(axis_2.nearest_to(on_1));
@@ -56,6 +57,7 @@ pub fn capsule_capsule(
         patch.push(spot(s, feature));
     }
     Some(patch.touch(normal, margin, SLACK * (r1 + r2)))
+    // ANCHOR_END: spots
 }
 // ANCHOR_END: capsule_capsule
 

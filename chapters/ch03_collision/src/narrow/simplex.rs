@@ -59,6 +59,7 @@ impl Simplex {
         self.reduce();
     }
 
+    // ANCHOR: reduce
     fn reduce(&mut self) {
         self.nearest = match self.vertices.len() {
             1 => self.at_vertex(0),
@@ -73,6 +74,7 @@ impl Simplex {
             }
         }
     }
+    // ANCHOR_END: reduce
     // ANCHOR_END: simplex
 
     /// Its vertices; four if the origin is within.

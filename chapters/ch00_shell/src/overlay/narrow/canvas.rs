@@ -8,7 +8,7 @@ use egui::{Align2, Color32, Pos2, Rect, Sense, Shape, Stroke, Visuals, vec2};
 use glam::{Vec2, Vec3};
 
 use crate::camera::Camera;
-use crate::overlay::marks::{color32, dot, letters};
+use crate::overlay::marks::{color32, dot, letters, plain_color};
 use crate::overlay::notes::{Projection, viewport_of};
 use crate::show::Pair;
 
@@ -38,14 +38,21 @@ pub fn show(
     let axes = axes(view.radius);
     painter.extend([view.surface(&dissection.surface, visuals, Side::Back)]);
     painter.extend([view.surface(&dissection.core, visuals, Side::Back)]);
-    painter.extend(view.drawings(&[&axes, &dissection.difference]));
+    painter.extend(view.drawings(&[&axes, &dissection.difference], visuals));
     painter.extend([view.surface(&dissection.core, visuals, Side::Front)]);
     painter.extend([view.surface(&dissection.surface, visuals, Side::Front)]);
     painter.extend(view.outline(&dissection.core, visuals, 0.8));
     painter.extend(view.outline(&dissection.surface, visuals, 1.3));
     view.paint_marks(&painter, visuals, &dissection.difference);
     let corner = room.right_bottom() - vec2(8.0, 6.0);
-    letters(&painter, visuals, corner, Align2::RIGHT_BOTTOM, "a − b", 12.0);
+    letters(
+        &painter,
+        visuals,
+        corner,
+        Align2::RIGHT_BOTTOM,
+        "a − b",
+        12.0,
+    );
 }
 
 /// Dragging turns, the wheel moves closer, a double click undoes both.
@@ -127,14 +134,21 @@ impl View {
             let to_eye = (self.eye - at).normalize_or_zero();
             let away = 1.0 - normal.dot(to_eye).abs();
             let light = 0.85 + 0.15 * normal.dot(Vec3::new(0.37, 0.79, 0.49));
-            color32((glass * light).to_array(), least + (most - least) * away * away)
+            plain_color(
+                (glass * light).to_array(),
+                least + (most - least) * away * away,
+            )
         };
         let mut mesh = Mesh::default();
         for corners in surface {
             let outward: Vec3 = corners.iter().map(|point| Vec3::from(point.normal)).sum();
             let is_front = outward.dot(self.eye - Vec3::from(corners[0].at)) > 0.0;
             if is_front == (side == Side::Front) {
-                self.add_triangle(&mut mesh, corners.map(|p| p.at), corners.each_ref().map(color));
+                self.add_triangle(
+                    &mut mesh,
+                    corners.map(|p| p.at),
+                    corners.each_ref().map(color),
+                );
             }
         }
         Shape::mesh(mesh)
@@ -153,21 +167,21 @@ impl View {
     }
 
     /// Lines and faces, the farthest first.
-    fn drawings(&self, drawings: &[&Drawing]) -> Vec<Shape> {
+    fn drawings(&self, drawings: &[&Drawing], visuals: &Visuals) -> Vec<Shape> {
         let mut parts: Vec<(f32, Part)> = Vec::new();
         for drawing in drawings {
             for face in &drawing.faces {
                 let middle = face.corners.map(Vec3::from).into_iter().sum::<Vec3>() / 3.0;
                 if let Some((_, depth)) = self.projection.place(middle) {
                     let [r, g, b, opacity] = face.color;
-                    let color = color32([r, g, b], opacity);
+                    let color = color32(visuals, [r, g, b], opacity);
                     parts.push((depth, Part::Face(face.corners, color)));
                 }
             }
             for line in &drawing.lines {
                 let (from, to) = (Vec3::from(line.from), Vec3::from(line.to));
                 let at = |i: u8| from.lerp(to, f32::from(i) / f32::from(PIECES));
-                let stroke = Stroke::new(line.width, color32(line.color, 1.0));
+                let stroke = Stroke::new(line.width, color32(visuals, line.color, 1.0));
                 for i in 0..PIECES {
                     let ends = [at(i), at(i + 1)].map(|end| self.projection.place(end));
                     if let [Some((a, depth_a)), Some((b, depth_b))] = ends {
@@ -225,12 +239,19 @@ enum Part {
 
 /// The middle and the radius of a ball about all differences and the origin, m.
 fn extent(dissection: &Dissection) -> (Vec3, f32) {
-    let points = || dissection.surface.iter().flatten().map(|p| Vec3::from(p.at));
+    let points = || {
+        dissection
+            .surface
+            .iter()
+            .flatten()
+            .map(|p| Vec3::from(p.at))
+    };
     let low = points().fold(Vec3::ZERO, Vec3::min);
     let high = points().fold(Vec3::ZERO, Vec3::max);
     let centre = 0.5 * (low + high);
     let radius = points().fold(centre.length(), |radius, p| radius.max(p.distance(centre)));
-    (centre, radius.max(1e-6))
+    // A little more for the axes.
+    (centre, 1.1 * radius.max(1e-6))
 }
 
 /// The corners of the smallest convex shape about these points, in order around it.
@@ -276,7 +297,12 @@ mod tests {
         }
         let hull = convex_hull(points);
         assert_eq!(hull.len(), 4);
-        for corner in [pos2(0.0, 0.0), pos2(4.0, 0.0), pos2(4.0, 4.0), pos2(0.0, 4.0)] {
+        for corner in [
+            pos2(0.0, 0.0),
+            pos2(4.0, 0.0),
+            pos2(4.0, 4.0),
+            pos2(0.0, 4.0),
+        ] {
             assert!(hull.contains(&corner), "{hull:?}");
         }
     }

@@ -17,7 +17,7 @@ impl Section for Choice {
     }
 
     fn is_open_at_start(&self) -> bool {
-        false
+        true
     }
 
     fn show(&mut self, ui: &mut egui::Ui, stage: &mut Stage) {
@@ -33,7 +33,7 @@ impl Section for Choice {
                 stage.toggle_pair();
             }
             if is_shown && ui.button("go near").on_hover_text("B").clicked() {
-                stage.move_camera_to_pair();
+                stage.move_camera_near();
             }
         });
         if let Some(picked) = stage.picked {

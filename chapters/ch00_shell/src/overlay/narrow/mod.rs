@@ -8,20 +8,19 @@ mod progress;
 
 pub use choice::Choice;
 
-use ch00_scenes::{Dissection, Shape};
+use ch00_scenes::{Dissection, Shape, palette};
 
 use super::marks::color32;
 use super::style;
 use crate::Session;
 use crate::camera::Camera;
 use crate::show::Pair;
-use ch00_scenes::palette;
 
 /// Width at the start, points.
 const WIDTH: f32 = 410.0;
 
 /// What the panel needs besides the canvas and the buttons, points.
-const REST: f32 = 216.0;
+const REST: f32 = 222.0;
 
 /// What the buttons need, points.
 const BUTTONS: f32 = 26.0;
@@ -78,7 +77,8 @@ fn bodies(ui: &mut egui::Ui, session: &Session, pair: &mut Pair) {
             ("b", pair.bodies[1], palette::SKY),
         ] {
             let (dot, _) = ui.allocate_exact_size(egui::vec2(10.0, 10.0), egui::Sense::hover());
-            ui.painter().circle_filled(dot.center(), 5.0, color32(color, 1.0));
+            ui.painter()
+                .circle_filled(dot.center(), 5.0, color32(ui.visuals(), color, 1.0));
             let shape = shape_name(&session.scene().bodies[i].shape);
             ui.label(format!("{name}: body {i}, {shape}"));
             ui.add_space(8.0);
@@ -127,21 +127,26 @@ fn key(ui: &mut egui::Ui, dissection: &Dissection) {
             let (place, _) = ui.allocate_exact_size(size, egui::Sense::hover());
             let middle = place.left_center() + egui::vec2(6.0, 0.0);
             let swatch = egui::Rect::from_center_size(middle, egui::vec2(12.0, 5.0));
-            ui.painter().rect_filled(swatch, 2.5, color32(entry.color, 1.0));
-            ui.painter().galley(place.min + egui::vec2(17.0, 0.0), text, ink);
+            ui.painter()
+                .rect_filled(swatch, 2.5, color32(ui.visuals(), entry.color, 1.0));
+            ui.painter()
+                .galley(place.min + egui::vec2(17.0, 0.0), text, ink);
         }
     });
 }
 
 fn buttons(ui: &mut egui::Ui, pair: &mut Pair, dissection: &Dissection) {
     ui.horizontal(|ui| {
-        for (sign, by, tip) in [
-            ("⏮", isize::MIN, "first iteration: Home"),
-            ("⏴", -1, "back: Left"),
-            ("⏵", 1, "on: Right"),
-            ("⏭", isize::MAX, "last iteration: End"),
+        for (by, tip) in [
+            (isize::MIN, "first iteration: Home"),
+            (-1, "back: Left"),
+            (1, "on: Right"),
+            (isize::MAX, "last iteration: End"),
         ] {
-            if ui.button(sign).on_hover_text(tip).clicked() {
+            let button = egui::Button::new("").min_size(egui::vec2(26.0, 18.0));
+            let response = ui.add(button).on_hover_text(tip);
+            paint_sign(ui, response.rect.center(), by);
+            if response.clicked() {
                 pair.move_step(by, dissection);
             }
         }
@@ -153,4 +158,28 @@ fn buttons(ui: &mut egui::Ui, pair: &mut Pair, dissection: &Dissection) {
         }
         ui.weak(format!("{} / {}", dissection.step + 1, last + 1));
     });
+}
+
+/// A triangle that points on or back, with a bar at its tip where it goes to the end.
+fn paint_sign(ui: &egui::Ui, middle: egui::Pos2, by: isize) {
+    const HALF: f32 = 4.5;
+    let ink = ui.visuals().text_color();
+    #[expect(clippy::cast_precision_loss, reason = "1 or -1")]
+    let along = egui::vec2(HALF * by.signum() as f32, 0.0);
+    let across = egui::vec2(0.0, HALF);
+    let triangle = vec![
+        middle + along,
+        middle - along + across,
+        middle - along - across,
+    ];
+    let painter = ui.painter();
+    painter.add(egui::Shape::convex_polygon(
+        triangle,
+        ink,
+        egui::Stroke::NONE,
+    ));
+    if by.unsigned_abs() > 1 {
+        let tip = middle + 1.2 * along;
+        painter.line_segment([tip - across, tip + across], egui::Stroke::new(1.8, ink));
+    }
 }

@@ -3,7 +3,7 @@
 
 use ch00_scenes::{Dissection, palette};
 use egui::epaint::Mesh;
-use egui::{Align2, FontId, Pos2, Rect, Sense, Shape, Stroke, pos2, vec2};
+use egui::{FontId, Pos2, Rect, Sense, Shape, Stroke, pos2, vec2};
 
 use crate::overlay::format::length;
 use crate::overlay::marks::color32;
@@ -31,6 +31,22 @@ pub fn show(ui: &mut egui::Ui, pair: &mut Pair, dissection: &Dissection) {
     let visuals = ui.visuals();
     painter.rect_filled(whole, 4.0, visuals.extreme_bg_color);
     chart.paint(&painter, visuals, dissection);
+    if let Some(&bounds) = dissection.bounds.get(dissection.step) {
+        caption(ui, bounds);
+    }
+}
+
+/// The two bounds of the iteration that is looked at.
+fn caption(ui: &mut egui::Ui, bounds: [f32; 2]) {
+    let [low, high] = bounds.map(|bound| length(f64::from(bound)));
+    let text = if low == high {
+        format!("distance {high}")
+    } else {
+        format!("distance between {low} and {high}")
+    };
+    ui.small(text).on_hover_text(
+        "negative where the two overlap; heights in the chart show the root, dashes are at 0",
+    );
 }
 
 /// The root with the sign: heights show it, so that what is left at the end can be seen beside
@@ -99,10 +115,7 @@ impl Chart {
         let ends = [pos2(self.room.min.x, zero), pos2(self.room.max.x, zero)];
         painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, weak), 3.0, 3.0));
         for (step, &bounds) in dissection.bounds.iter().enumerate() {
-            self.paint_column(painter, step, bounds, step == now);
-        }
-        if let Some(bounds) = dissection.bounds.get(now) {
-            self.paint_numbers(painter, visuals, now, *bounds);
+            self.paint_column(painter, visuals, step, bounds, step == now);
         }
     }
 
@@ -112,9 +125,11 @@ impl Chart {
         for phase in &dissection.phases {
             let end = first + phase.steps;
             let middle = f32::midpoint(self.x(first), self.x(end));
-            let at = pos2(middle, self.room.min.y - 2.0);
             let font = FontId::proportional(11.0);
-            painter.text(at, Align2::CENTER_BOTTOM, phase.name, font, weak);
+            let name = painter.layout_no_wrap(phase.name.to_owned(), font, weak);
+            let size = name.size();
+            let left = (middle - 0.5 * size.x).min(self.room.max.x - size.x);
+            painter.galley(pos2(left, self.room.min.y - 2.0 - size.y), name, weak);
             if first > 0 {
                 let range = self.room.y_range().expand(3.0);
                 painter.vline(self.x(first), range, Stroke::new(1.0, weak));
@@ -124,37 +139,28 @@ impl Chart {
     }
 
     /// Between the two bounds, with a bolder line at each.
-    fn paint_column(&self, painter: &egui::Painter, step: usize, bounds: [f32; 2], is_now: bool) {
+    fn paint_column(
+        &self,
+        painter: &egui::Painter,
+        visuals: &egui::Visuals,
+        step: usize,
+        bounds: [f32; 2],
+        is_now: bool,
+    ) {
         let gap = (0.12 * self.column).min(3.0);
         let (left, right) = (self.x(step) + gap, self.x(step + 1) - gap);
         let [low, high] = bounds.map(|bound| self.y(bound));
         let strength = if is_now { 1.0 } else { 0.55 };
         let mut band = Mesh::default();
         let area = Rect::from_min_max(pos2(left, high), pos2(right, low));
-        band.add_colored_rect(area, color32(palette::BLUE, 0.25 * strength));
+        band.add_colored_rect(area, color32(visuals, palette::BLUE, 0.25 * strength));
         painter.add(Shape::mesh(band));
         for (y, color) in [(low, palette::BLUE), (high, palette::VERMILLION)] {
-            painter.hline(left..=right, y, Stroke::new(2.0, color32(color, strength)));
+            painter.hline(
+                left..=right,
+                y,
+                Stroke::new(2.0, color32(visuals, color, strength)),
+            );
         }
-    }
-
-    /// The two bounds of the iteration that is looked at.
-    fn paint_numbers(
-        &self,
-        painter: &egui::Painter,
-        visuals: &egui::Visuals,
-        step: usize,
-        [low, high]: [f32; 2],
-    ) {
-        let text = format!("{} … {}", length(f64::from(low)), length(f64::from(high)));
-        let font = FontId::monospace(10.5);
-        let galley = painter.layout_no_wrap(text, font, visuals.text_color());
-        let middle = f32::midpoint(self.x(step), self.x(step + 1));
-        let half = 0.5 * galley.size().x;
-        let x = middle.clamp(self.room.min.x + half, (self.room.max.x - half).max(self.room.min.x + half));
-        let at = pos2(x - half, self.room.max.y - galley.size().y);
-        let back = Rect::from_min_size(at, galley.size()).expand(1.0);
-        painter.rect_filled(back, 2.0, visuals.extreme_bg_color.gamma_multiply(0.75));
-        painter.galley(at, galley, visuals.text_color());
     }
 }
