@@ -177,7 +177,7 @@ fn bodies_of_every_shape_at_one_place_part() {
     ];
     let twice = shapes.iter().chain(&shapes);
     let scene = on_a_floor(twice.map(|&shape| Body::new(shape, 1.0, at)).collect());
-    let (_, measures) = run_bounded(&scene, 20.0);
+    let (_, measures) = run_bounded(&scene, 60.0);
     assert!(
         measures.penetration.deepest < 0.01,
         "{:?}",

@@ -23,6 +23,8 @@ pub struct Face {
 pub struct Surroundings {
     /// For each body of the scene as loaded: whether it is drawn as a wall or as the ground.
     is_scenery: Vec<bool>,
+    /// For each body of the scene as loaded: whose colour it has. Bodies that joints connect share one.
+    family: Vec<usize>,
     /// The inner faces of the walls.
     pub wall_faces: Vec<Face>,
     /// Whether anything static but walls is there.
@@ -38,6 +40,13 @@ pub struct Surroundings {
 }
 
 impl Surroundings {
+    /// Whose colour body `i` has: the first body of those that joints connect it with; itself if it was
+    /// added later.
+    #[must_use]
+    pub fn family(&self, i: usize) -> usize {
+        self.family.get(i).copied().unwrap_or(i)
+    }
+
     /// Looks at the scene as it starts.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
@@ -69,6 +78,7 @@ impl Surroundings {
         Self {
             has_edges: bodies.iter().zip(&is_scenery).any(has_edge),
             is_scenery,
+            family: families(scene),
             wall_faces,
             has_floor: !floors.is_empty(),
             ground_height: ground_height(&floors, enclosed, (high - low).length())
@@ -224,6 +234,11 @@ fn worth_seeing(
         low = low.min(foot);
         high = high.max(foot);
     }
+    if !walls.is_empty() {
+        // What falls into a box is of interest where it lands, not where it hangs.
+        let across = (high.x - low.x).max(high.z - low.z);
+        high.y = high.y.min(low.y + HIGHEST * across);
+    }
     for floor in floors {
         let (floor_low, floor_high) = box_about(&[floor]);
         let is_small = (floor_high - floor_low).length() < 4.0 * size;
@@ -241,6 +256,9 @@ fn worth_seeing(
     }
 }
 
+/// How high the box to see is at most beside its width, where walls stand around.
+const HIGHEST: f64 = 2.5;
+
 /// How long bodies that nothing holds or pulls down are followed, s.
 const FREE_FLIGHT: f64 = 2.5;
 
@@ -248,13 +266,36 @@ const FREE_FLIGHT: f64 = 2.5;
 fn paths_box(scene: &Scene, moving: &[&Body]) -> (DVec3, DVec3) {
     let (mut low, mut high) = box_about(moving);
     if scene.gravity == DVec3::ZERO && scene.orbits.is_empty() && scene.forces.is_empty() {
+        let all: Vec<&Body> = scene.bodies.iter().collect();
+        let (all_low, all_high) = box_about(&all);
+        let furthest = (all_high - all_low).length();
         for body in moving {
-            let end = body.position + FREE_FLIGHT * body.linear_velocity;
+            let flight = FREE_FLIGHT * body.linear_velocity;
+            let end = body.position + flight.clamp_length_max(furthest);
             low = low.min(end);
             high = high.max(end);
         }
     }
     (low, high)
+}
+
+/// For each body the first of those that joints connect it with. What can't move connects nothing.
+fn families(scene: &Scene) -> Vec<usize> {
+    let mut family: Vec<usize> = (0..scene.bodies.len()).collect();
+    let first = |family: &[usize], mut i: usize| {
+        while family[i] != i {
+            i = family[i];
+        }
+        i
+    };
+    for joint in &scene.joints {
+        let (a, b) = joint.bodies();
+        if !scene.bodies[a].is_static() && !scene.bodies[b].is_static() {
+            let (a, b) = (first(&family, a), first(&family, b));
+            family[a.max(b)] = a.min(b);
+        }
+    }
+    (0..family.len()).map(|i| first(&family, i)).collect()
 }
 
 /// How far from the world's origin an orbit may carry its body along each axis, m: its own
@@ -320,6 +361,25 @@ mod tests {
                 .push(Body::new(ball, 1.0, DVec3::new(x, 1.0, 0.0)));
         }
         scene
+    }
+
+    #[test]
+    fn what_joints_connect_is_a_family_and_what_stands_still_is_not() {
+        let scene = ch00_scenes::builtin::build("ragdolls", Some(2), None).unwrap();
+        let around = Surroundings::of(&scene);
+        assert!((5..17).all(|i| around.family(i) == 5));
+        assert!((17..29).all(|i| around.family(i) == 17));
+        let door = ch00_scenes::builtin::build("door", None, None).unwrap();
+        let around = Surroundings::of(&door);
+        assert_eq!([0, 1, 2].map(|i| around.family(i)), [0, 1, 2]);
+    }
+
+    #[test]
+    fn a_tall_stack_in_a_narrow_box_is_seen_where_it_lands() {
+        let scene = ch00_scenes::builtin::build("ragdolls", Some(8), None).unwrap();
+        let around = Surroundings::of(&scene);
+        let size = around.high - around.low;
+        assert!(size.y <= 3.0 * size.x, "{size}");
     }
 
     #[test]

@@ -6,7 +6,7 @@ use ch00_maths::f32::joint::distance_correction;
 use ch02_rigid_bodies::RigidBody;
 use glam::Vec3;
 
-use super::{SMALL_GAP, WIDE};
+use super::{LONGEST_GAP, SMALL_GAP, WIDE};
 
 // ANCHOR: distance
 /// 0 = |d| − l.
@@ -15,11 +15,10 @@ pub struct DistanceConstraint {
     offset_child: Vec3,
     /// l, m.
     length: f32,
-    /// While contacts are resolved: t₁, t₂, the unit vector of d, |d| − l, and the response along d.
+    /// While contacts are resolved: t₁, t₂, the unit vector of d, and the response along d.
     t1: Vec3,
     t2: Vec3,
     along: Vec3,
-    stretch: f32,
     response: f32,
     /// The stretch's rate in the middle of the last step, m/s.
     parted: f32,
@@ -41,7 +40,6 @@ impl DistanceConstraint {
             t1: Vec3::ZERO,
             t2: Vec3::ZERO,
             along: Vec3::ZERO,
-            stretch: 0.0,
             response: 0.0,
             parted: 0.0,
             impulse: 0.0,
@@ -86,30 +84,34 @@ impl DistanceConstraint {
         child.displace_by(self.t2, -nudge);
     }
 
-    /// Works out how the rod lies and how its ends yield; gives d.
-    fn weigh(&mut self, parent: &RigidBody, child: &RigidBody) -> Vec3 {
+    /// Works out how the rod lies and how its ends yield.
+    fn weigh(&mut self, parent: &RigidBody, child: &RigidBody) {
         let d = self.locate(parent, child);
         self.along = d.normalize_or(Vec3::Y);
         let (mass_1, mass_2) = (parent.answers(), child.answers());
         self.response = response(mass_1, self.t1, mass_2, self.t2, self.along);
-        d
     }
 
     /// Works out what stays the same while contacts are resolved.
     pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody) {
-        self.stretch = self.weigh(parent, child).length() - self.length;
+        self.weigh(parent, child);
         let v_r = relative_velocity(parent.moved(), self.t1, child.moved(), self.t2);
         self.parted = v_r.dot(self.along);
     }
 
-    /// Nudges the points to their distance; gives how far they were off, m.
+    /// Nudges the points to their distance, from where their nudges have brought them; gives how far
+    /// they were off, m.
     pub fn part(&self, parent: &mut RigidBody, child: &mut RigidBody) -> f32 {
-        let moved = parent.nudged(self.t1) - child.nudged(self.t2);
-        let left = self.stretch + self.along.dot(moved);
+        let ((p1, q1), (p2, q2)) = (parent.nudged_pose(), child.nudged_pose());
+        let (t1, t2) = (q1 * self.offset_parent, q2 * self.offset_child);
+        let d = (p1 + t1) - (p2 + t2);
+        let left = d.length() - self.length;
         if left.abs() >= SMALL_GAP {
-            let nudge = self.along * (-left / self.response);
-            parent.nudge(self.t1, nudge);
-            child.nudge(self.t2, -nudge);
+            let along = d.normalize_or(self.along);
+            let response = response(parent.answers(), t1, child.answers(), t2, along);
+            let nudge = along * (-left.clamp(-LONGEST_GAP, LONGEST_GAP) / response);
+            parent.nudge(t1, nudge);
+            child.nudge(t2, -nudge);
         }
         left.abs()
     }

@@ -141,16 +141,18 @@ impl PinConstraint {
     // ANCHOR: part
     /// Nudges the two points together; gives how far they were apart, m.
     ///
-    /// The gap is that of the nudged poses, not what K predicts of it: a limb that is folded in half
-    /// turns further than a first order can tell.
+    /// The gap, the arms and K are those of the nudged poses: a limb that is folded in half turns
+    /// further than a first order can tell.
     pub fn part(&self, parent: &mut RigidBody, child: &mut RigidBody) -> f32 {
         let ((p1, q1), (p2, q2)) = (parent.nudged_pose(), child.nudged_pose());
-        let left = (p1 + q1 * self.offset_parent) - (p2 + q2 * self.offset_child);
+        let (t1, t2) = (q1 * self.offset_parent, q2 * self.offset_child);
+        let left = (p1 + t1) - (p2 + t2);
         let gap = left.length();
         if gap >= SMALL_GAP {
-            let nudge = self.yielding * -left.clamp_length_max(LONGEST_GAP);
-            parent.nudge(self.t1, nudge);
-            child.nudge(self.t2, -nudge);
+            let k = pin_matrix(parent.answers(), t1, child.answers(), t2);
+            let nudge = k.inverse() * -left.clamp_length_max(LONGEST_GAP);
+            parent.nudge(t1, nudge);
+            child.nudge(t2, -nudge);
         }
         gap
     }
