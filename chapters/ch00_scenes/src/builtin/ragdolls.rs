@@ -9,6 +9,9 @@
 //! each other, every one turned and slightly tilted about a point in its waist. More than
 //! twenty would fall from higher than is of any use (200 of them from 430 m), so they share
 //! out among n × n such stacks, of at most twenty each, and the box is n times as wide.
+//!
+//! Drag is that of the report's demos. Nothing else brakes an arm that hangs from a joint free of
+//! friction: without drag some swing on for a minute.
 
 use ch00_maths::f64::real::PI;
 use glam::{DQuat, DVec3};
@@ -17,6 +20,9 @@ use serde_json::json;
 use super::parts::open_box;
 use crate::random::SplitMix64;
 use crate::{Body, Joint, Scene, Shape};
+
+/// F of the report's demos, 1/s.
+const DRAG: f64 = 0.25;
 
 /// The names of a ragdoll's bones, in the order of its bodies. Bone b of ragdoll r is body
 /// [`body`]`(r, b)` of the scene.
@@ -155,6 +161,7 @@ pub(super) fn build(count: u64, seed: u64) -> Scene {
     let wall_height = LOWEST_SOLES + SPACING * layers as f64 + 2.0;
 
     let mut scene = Scene::new("ragdolls");
+    scene.drag = DRAG;
     scene.bodies = open_box(inner, wall_height).into();
     let mut random = SplitMix64::new(seed);
     for ragdoll in 0..count {
