@@ -60,6 +60,7 @@ pub struct RigidBody {
     fixed_point: Option<FixedPoint>,
     /// The mouse, while it drags the body.
     spring: Option<Spring>,
+    // ANCHOR_END: rigid_body
     /// While collisions are resolved: what it moves like, how it answers to impulses, and how far it
     /// has been shifted, m, and turned, rad.
     moving: Velocity,
@@ -73,7 +74,6 @@ pub struct RigidBody {
     /// Turns too fast to read (erratum 10), so far.
     unread_turns: usize,
 }
-// ANCHOR_END: rigid_body
 
 impl RigidBody {
     /// A body at rest at the origin. A mass of 0 makes it static.
@@ -303,15 +303,6 @@ impl RigidBody {
         }
     }
 
-    /// Its mean velocities over the last step.
-    #[must_use]
-    pub fn moved(&self) -> Velocity {
-        Velocity {
-            v: verlet::velocity(self.p, self.p_last, self.dt_last),
-            omega: rotation::angular_velocity(self.q, self.q_last, self.dt_last),
-        }
-    }
-
     fn velocity_now(&self) -> Velocity {
         let momentum = self
             .read_angular_momentum()
@@ -329,6 +320,15 @@ impl RigidBody {
         Velocity { v, omega }
     }
     // ANCHOR_END: velocity
+
+    /// Its mean velocities over the last step.
+    #[must_use]
+    pub fn moved(&self) -> Velocity {
+        Velocity {
+            v: verlet::velocity(self.p, self.p_last, self.dt_last),
+            omega: rotation::angular_velocity(self.q, self.q_last, self.dt_last),
+        }
+    }
 
     // ANCHOR: set_velocity
     /// Gives it these velocities by writing p* and q*.
@@ -400,6 +400,7 @@ impl RigidBody {
         self.moving.omega += self.answers.moment(impulse);
     }
 
+    // ANCHOR: resting
     /// Before supports, friction and joints are resolved: from now on [`Self::moving`] is what it will
     /// move with in the middle of the coming step.
     pub fn begin_resting(&mut self) {
@@ -428,6 +429,7 @@ impl RigidBody {
         self.set_velocity(self.moving);
         self.held_by = held_by;
     }
+    // ANCHOR_END: resting
 
     /// Says that what holds it holds it from now on only, and not for half a step already.
     pub fn begin_now(&mut self) {
@@ -437,6 +439,7 @@ impl RigidBody {
     // ANCHOR_END: resolving
 
     // ANCHOR: shifting
+    // ANCHOR: nudge
     /// A positional impulse, kg m, at `r` from its centre, that [`Self::end_resolving`] will carry out:
     /// it moves and turns the body but leaves its velocities.
     pub fn nudge(&mut self, r: Vec3, impulse: Vec3) {
@@ -454,6 +457,7 @@ impl RigidBody {
     pub fn nudged(&self, r: Vec3) -> Vec3 {
         self.shift + self.turn.cross(r)
     }
+    // ANCHOR_END: nudge
 
     /// Where its nudges have brought it: position, m, and orientation.
     #[must_use]

@@ -8,7 +8,7 @@
 use std::fmt::Write as _;
 
 use ch00_scenes::{Scene, Settings, State, builtin};
-use ch03_collision::ENGINE;
+use ch04_ragdolls::ENGINE;
 use glam::DVec3;
 
 use crate::FindingsError;
@@ -103,7 +103,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         }
     }
     Ok(Product {
-        chart: chart(&samples),
+        charts: vec![chart(&samples)],
         csv: csv(&samples),
         page: Some(page(&samples)),
     })
@@ -258,18 +258,11 @@ fn of<'a>(samples: &'a [Sample], case: Case, method: &str) -> Vec<&'a Sample> {
 }
 
 fn chart(samples: &[Sample]) -> Chart {
-    let curve = |case: Case, method: &str, name: &str, style| Series {
-        name: name.to_owned(),
-        style,
-        points: of(samples, case, method)
-            .into_iter()
-            .map(|s| {
-                (
-                    f64::from(s.rate).recip(),
-                    s.median_and_worst(|run| run.apex).1,
-                )
-            })
-            .collect(),
+    let curve = |case: Case, method: &str, name: &str, style| {
+        let samples = of(samples, case, method).into_iter();
+        let worst = |s: &Sample| s.median_and_worst(|run| run.apex).1;
+        let points = samples.map(|s| (f64::from(s.rate).recip(), worst(s)));
+        Series::new(name, style, points)
     };
     let [one, half] = CASES;
     let steps: Vec<f64> = RATES.iter().map(|&rate| f64::from(rate).recip()).collect();

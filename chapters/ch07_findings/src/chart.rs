@@ -23,6 +23,8 @@ pub struct Axis {
     pub label: String,
     /// How it is divided.
     pub scale: Scale,
+    /// What a number that is not finite means: stands beside the band for those.
+    pub lost: &'static str,
 }
 
 /// How an axis is divided.
@@ -37,12 +39,14 @@ pub enum Scale {
 /// One curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
-    /// As the legend calls it.
+    /// As the legend calls it; empty for a curve that another one's name includes.
     pub name: String,
     /// How it is drawn.
     pub style: Style,
     /// x and y. A y that is not finite is a failure and is drawn on a labelled band at the edge.
     pub points: Vec<(f64, f64)>,
+    /// The ends of each point's error bar; empty where there are none.
+    pub bars: Vec<(f64, f64)>,
 }
 
 /// What a curve is, which decides how it is drawn; the same on all charts.
@@ -56,6 +60,8 @@ pub enum Style {
     Theory,
     /// Something between: by number.
     Other(usize),
+    /// Marks alone, without a line, as of [`Style::Other`] of this number.
+    Marks(usize),
 }
 
 impl Axis {
@@ -65,6 +71,7 @@ impl Axis {
         Self {
             label: label.to_owned(),
             scale: Scale::Linear,
+            lost: "lost",
         }
     }
 
@@ -74,17 +81,36 @@ impl Axis {
         Self {
             label: label.to_owned(),
             scale: Scale::Log,
+            lost: "lost",
         }
+    }
+
+    /// The same where what is not finite has another name than `lost`.
+    #[must_use]
+    pub fn lost(self, lost: &'static str) -> Self {
+        Self { lost, ..self }
     }
 }
 
 impl Series {
-    /// A curve of `y(x)` at these places.
-    pub fn of(name: &str, style: Style, places: &[f64], y: impl Fn(f64) -> f64) -> Self {
+    /// A curve through points.
+    pub fn new(name: &str, style: Style, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         Self {
             name: name.to_owned(),
             style,
-            points: places.iter().map(|&x| (x, y(x))).collect(),
+            points: points.into_iter().collect(),
+            bars: Vec::new(),
         }
+    }
+
+    /// A curve of `y(x)` at these places.
+    pub fn of(name: &str, style: Style, places: &[f64], y: impl Fn(f64) -> f64) -> Self {
+        Self::new(name, style, places.iter().map(|&x| (x, y(x))))
+    }
+
+    /// The same with an error bar at each point.
+    #[must_use]
+    pub fn with_bars(self, bars: Vec<(f64, f64)>) -> Self {
+        Self { bars, ..self }
     }
 }

@@ -2,15 +2,26 @@
 //! laboratory that measures them: what the charts show, and how they are drawn.
 
 pub mod bounce;
+pub mod broad_phase;
+pub mod chain;
 pub mod chart;
 mod commands;
 pub mod draw;
 pub mod errata;
 mod error;
+pub mod friction;
+mod lab;
+pub mod limbs;
+pub mod mass_ratio;
 pub mod product;
+pub mod ragdoll_run;
+pub mod rates;
+pub mod stack;
 pub mod sweeps;
 mod table;
 pub mod table1;
+pub mod table2;
+pub mod tunnelling;
 
 use ch00_shell::Chapter;
 
@@ -22,7 +33,7 @@ pub const CHAPTER: Chapter = Chapter {
     name: "ch07_findings",
     title: "From Objects to Shaders",
     about: "Every engine and every scene of the book, and the charts of what was measured.",
-    engines: &[ch03_collision::ENGINE],
+    engines: &[ch04_ragdolls::ENGINE],
     default_scene: "balls",
-    scenes: &["balls", "pair", "bounce", "bounce_half", "tops", "orrery"],
+    scenes: ch00_scenes::builtin::NAMES,
 };

@@ -5,7 +5,10 @@ use std::path::{Path, PathBuf};
 
 use crate::chart::Chart;
 use crate::errata::ERRATA;
-use crate::{FindingsError, bounce, draw, sweeps, table1};
+use crate::{
+    FindingsError, bounce, broad_phase, chain, draw, friction, limbs, mass_ratio, ragdoll_run,
+    stack, sweeps, table1, table2, tunnelling,
+};
 
 /// Where a measurement tells how far it is.
 pub type Say<'a> = &'a mut dyn FnMut(&str);
@@ -13,8 +16,8 @@ pub type Say<'a> = &'a mut dyn FnMut(&str);
 /// What was measured, ready to be written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Product {
-    /// The picture.
-    pub chart: Chart,
+    /// The pictures, at least one: the first one's name is that of the other files.
+    pub charts: Vec<Chart>,
     /// The numbers.
     pub csv: String,
     /// The numbers as the book includes them, in Markdown, but not a page of its own: hence the ending
@@ -34,36 +37,91 @@ pub struct Known {
 
 #[derive(Clone, Copy, Debug)]
 enum Make {
-    Measure(fn(bool, Say) -> Result<Product, FindingsError>),
+    Measure(Measure),
     Calculate(fn() -> Chart),
 }
+
+/// A chart's measurement; `true` leaves out what takes long.
+type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
+
+/// The charts that take measuring: name, in a few words, how.
+const MEASURED: [(&str, &str, Measure); 12] = [
+    (
+        "table1",
+        "the report's Table 1 again: frame rates of bouncing balls",
+        table1::product,
+    ),
+    (
+        "table2",
+        "the report's Table 2 again: frame rates of stacked ragdolls",
+        table2::product,
+    ),
+    (
+        "bounce",
+        "error of a bouncing ball against the step",
+        bounce::product,
+    ),
+    (
+        "friction",
+        "errors of sliding, rolling and oblique impact against the step",
+        friction::product,
+    ),
+    (
+        "sweeps",
+        "overlap of a settled pile against the number of sweeps",
+        sweeps::product,
+    ),
+    (
+        "broad_phase",
+        "time to find pairs by brute force, KD-tree and grid",
+        broad_phase::product,
+    ),
+    (
+        "stack",
+        "how many boxes stand on each other, against sweeps",
+        stack::product,
+    ),
+    (
+        "mass_ratio",
+        "a heavy box on a light one, against sweeps",
+        mass_ratio::product,
+    ),
+    (
+        "chain",
+        "stretch of a chain with a heavy ball, against sweeps, mass and links",
+        chain::product,
+    ),
+    (
+        "tunnelling",
+        "share of balls that get through a thin wall, against speed",
+        tunnelling::product,
+    ),
+    (
+        "limbs",
+        "ragdolls at low frame rates: limbs through the floor",
+        limbs::product,
+    ),
+    (
+        "ragdoll_run",
+        "joints, limits, overlaps and energy of eight ragdolls against time",
+        ragdoll_run::product,
+    ),
+];
 
 /// All charts, in the order in which they are made.
 #[must_use]
 pub fn known() -> Vec<Known> {
-    let measured = [
-        Known {
-            name: "table1".to_owned(),
-            about: "the report's Table 1 again: frame rates of bouncing balls",
-            make: Make::Measure(table1::product),
-        },
-        Known {
-            name: "bounce".to_owned(),
-            about: "error of a bouncing ball against the step",
-            make: Make::Measure(bounce::product),
-        },
-        Known {
-            name: "sweeps".to_owned(),
-            about: "overlap of a settled pile against the number of sweeps",
-            make: Make::Measure(sweeps::product),
-        },
-    ];
+    let measured = MEASURED.iter().map(|&(name, about, make)| Known {
+        name: name.to_owned(),
+        about,
+        make: Make::Measure(make),
+    });
     let errata = ERRATA.iter().map(|erratum| Known {
         name: format!("erratum_{:02}", erratum.number),
         about: erratum.title,
         make: Make::Calculate(erratum.chart),
     });
-    measured.into_iter().chain(errata).collect()
+    measured.chain(errata).collect()
 }
 
 impl Known {
@@ -85,7 +143,7 @@ impl Product {
     pub fn of(chart: Chart) -> Self {
         Self {
             csv: draw::csv(&chart),
-            chart,
+            charts: vec![chart],
             page: None,
         }
     }
@@ -95,16 +153,16 @@ impl Product {
     /// # Errors
     /// [`FindingsError::Write`] that names the file, [`FindingsError::Draw`].
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, FindingsError> {
-        let svg = draw::svg(&self.chart)?;
-        let files = [
-            ("svg", Some(&svg)),
-            ("csv", Some(&self.csv)),
-            ("txt", self.page.as_ref()),
-        ];
+        let mut files = Vec::new();
+        for chart in &self.charts {
+            files.push((format!("{}.svg", chart.name), draw::svg(chart)?));
+        }
+        let name = self.charts.first().map_or("", |chart| chart.name);
+        files.push((format!("{name}.csv"), self.csv.clone()));
+        files.extend(self.page.clone().map(|page| (format!("{name}.txt"), page)));
         let mut written = Vec::new();
-        for (ending, text) in files {
-            let Some(text) = text else { continue };
-            let path = folder.join(format!("{}.{ending}", self.chart.name));
+        for (name, text) in files {
+            let path = folder.join(name);
             fs::write(&path, text).map_err(|source| FindingsError::Write {
                 path: path.clone(),
                 source,

@@ -2,14 +2,14 @@
 //! of chapter 3 is read off here.
 
 use std::fmt::Write as _;
-use std::time::Instant;
 
 use ch00_scenes::measures::Measures;
-use ch00_scenes::{Scene, Settings, State, builtin};
-use ch03_collision::{DEFAULT_SWEEPS, ENGINE};
+use ch00_scenes::{Scene, State, builtin};
+use ch03_collision::DEFAULT_SWEEPS;
 
 use crate::FindingsError;
 use crate::chart::{Axis, Chart, Series, Style};
+use crate::lab::{self, by, median_ms};
 use crate::product::{Product, Say};
 use crate::table::{Table, three_digits};
 
@@ -55,7 +55,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(&format!("{sweeps} sweeps"));
     }
     Ok(Product {
-        chart: chart(count, &samples),
+        charts: vec![chart(count, &samples)],
         csv: csv(&samples),
         page: Some(page(&samples)),
     })
@@ -67,19 +67,16 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
 /// [`FindingsError`] where the scene can't be loaded.
 pub fn settled(count: u64, seed: u64, sweeps: u32) -> Result<Sample, FindingsError> {
     let scene: Scene = builtin::build("balls", Some(count), Some(seed))?;
-    let mut engine = (ENGINE.load)(&scene, &Settings::defaults().with_sweeps(sweeps))?;
-    let mut state = State::default();
-    let (mut times, mut escaped) = (Vec::new(), 0);
-    for _ in 0..600 {
-        let start = Instant::now();
-        engine.step(scene.dt as f32);
-        times.push(start.elapsed().as_secs_f64() * 1000.0);
-        engine.read_state(&mut state);
-        let out = ch00_scenes::measures::escaped(&scene, &state);
+    let mut last = State::default();
+    let mut escaped = 0;
+    let times = lab::run(&scene, &by("corrected").with_sweeps(sweeps), |now| {
+        let out = ch00_scenes::measures::escaped(&scene, now.state);
         escaped = escaped.max(out.unwrap_or(0));
-    }
-    times.sort_by(f64::total_cmp);
-    let measures = Measures::of(&scene, &state);
+        if now.step == scene.steps {
+            last.clone_from(now.state);
+        }
+    })?;
+    let measures = Measures::of(&scene, &last);
     Ok(Sample {
         sweeps,
         seed,
@@ -87,7 +84,7 @@ pub fn settled(count: u64, seed: u64, sweeps: u32) -> Result<Sample, FindingsErr
         deepest: measures.penetration.deepest,
         kinetic_energy: measures.conserved.kinetic_energy / count as f64,
         escaped,
-        median_ms: times[times.len() / 2],
+        median_ms: median_ms(&times),
     })
 }
 

@@ -85,6 +85,11 @@ pub fn three_digits(value: f64) -> String {
     draw::grouped(&format!("{rounded:.decimals$}")).replace('-', "−")
 }
 
+/// A length in millimetres.
+pub fn millimetres(metres: f64) -> String {
+    three_digits(1e3 * metres)
+}
+
 /// A share of one as percent.
 pub fn percent(share: f64) -> String {
     if share.is_finite() {

@@ -9,6 +9,7 @@ use ch07_findings::chart::{Axis, Chart, Series, Style};
 use ch07_findings::draw::{csv, svg};
 use ch07_findings::errata::ERRATA;
 use ch07_findings::product::known;
+use ch07_findings::{friction, limbs, stack, tunnelling};
 
 /// Runs the program's `chart` command.
 fn chart(arguments: &[&str]) -> Output {
@@ -41,11 +42,7 @@ fn mixed(y: Axis) -> Chart {
         x: Axis::log("time step (s)"),
         y,
         series: vec![
-            Series {
-                name: "printed, of \"all\"".to_owned(),
-                style: Style::Printed,
-                points: points.to_vec(),
-            },
+            Series::new("printed, of \"all\"", Style::Printed, points),
             Series::of("corrected", Style::Corrected, &[0.001, 1.0], |x| x),
             Series::of("law", Style::Theory, &[0.001, 1.0], |x| 0.5 * x),
         ],
@@ -118,6 +115,32 @@ fn the_command_writes_picture_and_numbers_and_says_so() {
         .expect("it is ours")
         .count();
     assert_eq!(files, 2, "nothing else is left behind");
+}
+
+#[test]
+fn a_chart_of_several_pictures_writes_them_all_and_one_table() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let ran = chart(&["friction", "--quick", "--out", words(folder.path())]);
+    assert!(ran.status.success());
+    let mut files: Vec<String> = std::fs::read_dir(folder.path())
+        .expect("it is ours")
+        .map(|file| file.expect("it is ours").file_name())
+        .map(|name| name.into_string().expect("plain text"))
+        .collect();
+    files.sort();
+    let wanted = [
+        "friction.csv",
+        "friction.svg",
+        "friction.txt",
+        "friction_directions.svg",
+    ];
+    assert_eq!(files, wanted);
+    let page = std::fs::read_to_string(folder.path().join("friction.txt")).expect("it is there");
+    assert_eq!(String::from_utf8_lossy(&ran.stdout), page);
+    for name in ["friction", "friction_directions"] {
+        let file = folder.path().join(format!("{name}.svg"));
+        assert_well_formed(&std::fs::read_to_string(file).expect("it is there"));
+    }
 }
 
 #[test]
@@ -226,6 +249,40 @@ fn attribute(element: &str, name: &str) -> f64 {
 }
 
 #[test]
+fn marks_alone_have_no_line_and_error_bars_have_three() {
+    let mut chart = mixed(Axis::linear("share"));
+    let lines = |chart: &Chart| {
+        let drawn = svg(chart).expect("it can be drawn");
+        assert_well_formed(&drawn);
+        elements(&drawn, "polyline").len() + elements(&drawn, "line").len()
+    };
+    let points = [(0.01, 0.2), (0.1, 0.5)];
+    let bars = vec![(0.1, 0.3), (0.4, 0.6)];
+    chart.series = vec![Series::new("share", Style::Marks(0), points)];
+    let without = lines(&chart);
+    chart.series = vec![Series::new("share", Style::Other(0), points)];
+    // The curve itself, and its sample in the legend.
+    assert_eq!(lines(&chart), without + 2);
+    chart.series = vec![Series::new("share", Style::Marks(0), points).with_bars(bars)];
+    let with_bars = svg(&chart).expect("it can be drawn");
+    // The axis reaches to the ends of the bars, so its other lines may be more or fewer.
+    let thick = |line: &&&str| line.contains("stroke-width=\"13\"");
+    assert_eq!(
+        elements(&with_bars, "polyline")
+            .iter()
+            .filter(thick)
+            .count(),
+        6
+    );
+}
+
+#[test]
+fn what_is_lost_has_the_name_that_the_axis_gives_it() {
+    let drawn = svg(&mixed(Axis::log("sunk (mm)").lost("fell"))).expect("it can be drawn");
+    assert!(drawn.contains("\nfell\n") && !drawn.contains("\nlost\n"));
+}
+
+#[test]
 fn on_an_even_axis_zeros_and_negatives_are_numbers() {
     let drawn = svg(&mixed(Axis::linear("error (m)"))).expect("it can be drawn");
     assert!(!drawn.contains("\n≤ 0\n") && drawn.contains("\nlost\n"));
@@ -287,4 +344,51 @@ fn a_corrected_ball_keeps_its_apexes_within_a_hundredth_at_240_hz() {
             assert!((-1e-4..1.01 / 240.0).contains(&run.first_hit), "{run:?}");
         }
     }
+}
+
+#[test]
+fn friction_is_exact_within_a_hundredth_at_60_hz() {
+    let rate = 60.0;
+    let mut checks = friction::slip_to_roll(rate).expect("it loads").to_vec();
+    checks.extend(friction::slopes(rate).expect("it loads"));
+    checks.extend(friction::oblique(rate).expect("it loads"));
+    for check in checks {
+        assert!(check.error < 0.01, "{check:?}");
+    }
+    for stop in friction::slides(rate).expect("it loads") {
+        assert!((stop.distance - 1.0).abs() < 0.01, "{stop:?}");
+        assert!(
+            stop.sideways.abs() < 0.01 && stop.yaw.abs() < 0.01,
+            "{stop:?}"
+        );
+    }
+}
+
+#[test]
+fn five_cubes_stand_for_ten_seconds_and_twelve_with_two_sweeps_do_not() {
+    let sweeps = ch03_collision::DEFAULT_SWEEPS;
+    let five = stack::built("corrected", sweeps, 5, 10.0).expect("it loads");
+    assert!(five.stands(), "{five:?}");
+    let twelve = stack::built("corrected", 2, 12, 10.0).expect("it loads");
+    assert!(!twelve.stands(), "{twelve:?}");
+}
+
+#[test]
+fn slow_balls_never_get_through_the_wall_and_fast_ones_as_often_as_theory_says() {
+    for method in ["printed", "corrected"] {
+        for speed in [2.0, 9.0] {
+            let slow = tunnelling::shot(method, 60.0, speed, 100).expect("it loads");
+            assert_eq!(slow.through, 0, "{slow:?}");
+        }
+    }
+    let fast = tunnelling::shot("printed", 60.0, 60.0, 400).expect("it loads");
+    let (low, high) = fast.bar();
+    let theory = tunnelling::unseen(60.0, 60.0);
+    assert!((low..=high).contains(&theory), "{fast:?}");
+}
+
+#[test]
+fn at_60_hz_no_limb_gets_through_the_floor() {
+    let sample = limbs::dropped("corrected", 60.0, 1).expect("it loads");
+    assert_eq!((sample.outside, sample.nowhere), (0, 0), "{sample:?}");
 }

@@ -17,6 +17,9 @@ pub fn draw(canvas: &mut Canvas, series: &[Series], frame: &Frame) -> Drawn {
             places: (one.points.iter())
                 .map(|&at| frame.locate(at, number))
                 .collect(),
+            bars: (one.points.iter().zip(&one.bars))
+                .map(|(&(x, _), &(low, high))| [low, high].map(|y| frame.locate((x, y), number).0))
+                .collect(),
         })
         .collect();
     let (theory, measured): (Vec<_>, Vec<_>) =
@@ -25,6 +28,9 @@ pub fn draw(canvas: &mut Canvas, series: &[Series], frame: &Frame) -> Drawn {
         curve.draw_lines(canvas)?;
     }
     for curve in measured {
+        for ends in &curve.bars {
+            marks::bar(canvas, curve.style, *ends)?;
+        }
         curve.draw_marks(canvas)?;
     }
     Ok(())
@@ -34,6 +40,7 @@ pub fn draw(canvas: &mut Canvas, series: &[Series], frame: &Frame) -> Drawn {
 struct Curve {
     style: Style,
     places: Vec<(Point, Part)>,
+    bars: Vec<[Point; 2]>,
 }
 
 impl Curve {

@@ -58,7 +58,12 @@ impl Frame {
     pub fn new(chart: &Chart, top: f64) -> Self {
         let points = || chart.series.iter().flat_map(|series| &series.points);
         let x = Scale::of(&chart.x, points().map(|point| point.0));
-        let y = Scale::of(&chart.y, points().map(|point| point.1));
+        let bars = || chart.series.iter().flat_map(|series| &series.bars);
+        let heights = points().map(|point| point.1);
+        let y = Scale::of(
+            &chart.y,
+            heights.chain(bars().flat_map(|&(low, high)| [low, high])),
+        );
         let y_ticks = y.ticks(7);
         let y_label = text::wrapped(&chart.y.label, LABEL, PLOT_HEIGHT);
         let bands = [y.below, y.beyond].into_iter().flatten();

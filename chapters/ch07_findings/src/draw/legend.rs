@@ -36,7 +36,7 @@ impl Legend {
     pub fn new(series: &[Series], width: f64) -> Self {
         let (mut row, mut x) = (0, 0.0);
         let mut entries = Vec::new();
-        for one in series {
+        for one in series.iter().filter(|one| !one.name.is_empty()) {
             let wide = SAMPLE + GAP + text::width(&one.name, LABEL);
             if x > 0.0 && x + wide > width {
                 (row, x) = (row + 1, 0.0);

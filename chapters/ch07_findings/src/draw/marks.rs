@@ -39,7 +39,7 @@ fn look(style: Style) -> (Ink, Option<Shape>) {
         Style::Printed => (Ink::full((0xD5, 0x5E, 0x00)), Some(Shape::Disc)),
         Style::Corrected => (Ink::full((0x00, 0x72, 0xB2)), Some(Shape::Square)),
         Style::Theory => (GREY, None),
-        Style::Other(number) => {
+        Style::Other(number) | Style::Marks(number) => {
             let (ink, shape) = OTHERS[number % OTHERS.len()];
             (ink, Some(shape))
         }
@@ -50,8 +50,18 @@ fn look(style: Style) -> (Ink, Option<Shape>) {
 pub fn line(canvas: &mut Canvas, style: Style, points: &[Point]) -> Drawn {
     match style {
         Style::Theory => canvas.dashes(points, ink(style), 1.5),
+        Style::Marks(_) => Ok(()),
         _ => canvas.line(points, ink(style), 2.0),
     }
+}
+
+/// Draws an error bar between two points, one above the other, with a short line across each end.
+pub fn bar(canvas: &mut Canvas, style: Style, ends: [Point; 2]) -> Drawn {
+    canvas.line(&ends, ink(style), 1.3)?;
+    for (x, y) in ends {
+        canvas.line(&[(x - RADIUS, y), (x + RADIUS, y)], ink(style), 1.3)?;
+    }
+    Ok(())
 }
 
 /// Draws a curve's mark at a point; theory has none.

@@ -14,7 +14,7 @@ mod numbers;
 mod scale;
 mod text;
 
-pub use csv::csv;
+pub use csv::{csv, quoted};
 pub(crate) use numbers::{grouped, superscript};
 
 use crate::chart::Chart;

@@ -48,7 +48,7 @@ impl Scale {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for number in numbers {
             if !number.is_finite() {
-                beyond = Some("lost");
+                beyond = Some(axis.lost);
             } else if division == Division::Log && number <= 0.0 {
                 below = Some(if number < 0.0 {
                     "≤ 0"

@@ -66,14 +66,10 @@ pub fn errors(rule: Rule, steps: &[f64]) -> Vec<(f64, DVec3)> {
 /// Distance from the exact path against time, with one hitch.
 #[must_use]
 pub fn chart() -> Chart {
-    let curve = |name: &str, style, rule| Series {
-        name: name.to_owned(),
-        style,
-        points: errors(rule, &hitch())
-            .iter()
-            .step_by(3)
-            .map(|(t, error)| (*t, error.length()))
-            .collect(),
+    let curve = |name: &str, style, rule| {
+        let errors = errors(rule, &hitch());
+        let some = errors.iter().step_by(3);
+        Series::new(name, style, some.map(|(t, error)| (*t, error.length())))
     };
     Chart {
         name: "erratum_08",
