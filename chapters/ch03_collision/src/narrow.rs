@@ -1,5 +1,8 @@
-//! The narrow phase: where exactly two shapes touch. Pure functions over shapes and poses, a
-//! file a pair of shapes. Report 7, narrow step.
+//! The narrow phase: where exactly two shapes touch. Pure functions over shapes and poses, which
+//! ask for no memory. Report 7, narrow step.
+//!
+//! Balls, and capsules among themselves, take the short way: a file a pair. All others go through
+//! [`shortest_way`] (GJK and EPA), and then to the contact points, where features are clipped.
 
 mod capsule_capsule;
 pub mod clip;
@@ -95,7 +98,7 @@ impl Touch {
         depths.fold(f32::NEG_INFINITY, f32::max)
     }
 
-    /// The same, elsewhere.
+    /// The same, moved.
     #[must_use]
     fn moved_by(mut self, way: Vec3) -> Self {
         for spot in self.spots.iter_mut() {
@@ -128,7 +131,8 @@ pub struct Placed<'a> {
 }
 
 // ANCHOR: dispatch
-/// Where `a` and `b` touch or are at most `margin`, m, from touching; the normal points from b to a.
+/// Where `a` and `b` touch or are at most `margin`, m, from touching; the normal points from b to
+/// a.
 #[must_use]
 pub fn touch(a: &Placed, b: &Placed, margin: f32) -> Option<Touch> {
     match (*a.shape, *b.shape) {

@@ -10,6 +10,10 @@ use super::segment::Segment;
 use super::sphere_capsule::{ON_AXIS, sideways};
 use super::{Placed, Spot, Touch};
 
+/// Two capsules lie side by side if the sine of the angle between them is less. Where they are too
+/// far from each other at one end, that end is no contact anyway.
+const PARALLEL: f32 = 0.2;
+
 // ANCHOR: capsule_capsule
 /// Two capsules with radius and half of the axis, m; found if the gap between them is at most
 /// `margin`.
@@ -45,14 +49,16 @@ pub fn capsule_capsule(
     let spot = |s, feature| {
         let on_1 = axis_1.at(s);
         let on_2 = axis_2.at(axis_2.nearest_to(on_1));
+        let depth = r1 + r2 - on_1.distance(on_2);
+        let way = (on_1 - on_2).normalize_or(normal);
         Spot {
-            point: b.p + 0.5 * (on_1 + on_2 + (r2 - r1) * normal),
-            depth: r1 + r2 - (on_1 - on_2).dot(normal),
+            point: b.p + on_2 + way * (r2 - 0.5 * depth),
+            depth,
             feature,
         }
     };
     let mut patch = Patch::new(spot(s, 0));
-    let ends = axis_1.beside(&axis_2).into_iter().flatten();
+    let ends = axis_1.beside(&axis_2, PARALLEL).into_iter().flatten();
     for (feature, s) in (1..).zip(ends) {
         patch.push(spot(s, feature));
     }
@@ -62,8 +68,8 @@ pub fn capsule_capsule(
 // ANCHOR_END: capsule_capsule
 
 // ANCHOR: crossing
-/// The way out where two axes cross: at a right angle to both, to the side of the first one's centre; if
-/// they are parallel, sideways.
+/// The way out where two axes cross: at a right angle to both, to the side of the first one's
+/// centre; if they are parallel, sideways.
 fn way_out(axis_1: &Segment, axis_2: &Segment, up: Vec3) -> Vec3 {
     let n = axis_1.half.cross(axis_2.half);
     let normal = n.try_normalize().unwrap_or_else(|| sideways(up));

@@ -1,9 +1,9 @@
-//! Clipping: what of one solid's feature lies over a face of the other, by cutting it with the plane
-//! on each of the face's sides. [Sutherland and Hodgman 1974]
+//! Clipping: what of one solid's feature lies over a face of the other, by cutting it with the
+//! plane on each of the face's sides. [Sutherland and Hodgman 1974]
 //!
-//! A point that is left is named by the corner of the feature that is nearest to it along the edge that
-//! was cut. So equal boxes in a stack keep four names while they tremble to this side and that of
-//! being aligned.
+//! A point that is left is named by the corner of the feature that is nearest to it along the edge
+//! that was cut. So equal boxes in a stack keep four names while they tremble to this side and that
+//! of being aligned.
 
 use glam::Vec3;
 
@@ -31,8 +31,8 @@ pub struct Clipped {
 }
 
 // ANCHOR: clip
-/// The part of `feature` that lies over the polygon `face` with the unit normal `normal`, or beyond its
-/// sides by at most `slack`, m.
+/// The part of `feature` that lies over the polygon `face` with the unit normal `normal`, or beyond
+/// its sides by at most `slack`, m.
 #[must_use]
 pub fn clip(feature: &Feature, face: &Feature, normal: Vec3, slack: f32) -> Clipped {
     let mut left = Clipped::whole(feature);

@@ -3,8 +3,8 @@
 //! If a and b overlap, their Minkowski difference a − b holds the origin, and the shortest way to
 //! its surface is the shortest way apart. EPA holds a polytope within a − b that holds the origin,
 //! and blows it up: it takes the face nearest to the origin, and asks for the support point of a − b
-//! along the face's normal. If that lies on the face, the face is part of the surface and the answer;
-//! if not, the polytope grows by that point, and the faces which see it are replaced.
+//! along the face's normal. If that lies on the face, the face is part of the surface and the
+//! answer; if not, the polytope grows by that point, and the faces which see it are replaced.
 //! [van den Bergen 2001; 2003, 4.3.8]
 
 use glam::Vec3;
@@ -25,7 +25,8 @@ const MOST_RIM: usize = 3 * MOST_FACES;
 /// The depth is known where its bounds differ by this share of it.
 const TOLERANCE: f32 = 1e-5;
 
-/// A triangle that is lower than this share of the polytope's extent has no normal that one could trust.
+/// A triangle that is lower than this share of the polytope's extent has no normal that one could
+/// trust.
 const THINNEST: f32 = 1e-5;
 
 /// What one iteration looked at, for those who watch. All of it is in the coordinates of
@@ -125,8 +126,9 @@ impl Penetration {
 
     // ANCHOR: polish
     /// Where a side is round, many faces are almost equally near, and the polytope may run out of
-    /// room before one of them is the nearest for sure. The normal is close then: it walks downhill,
-    /// at a right angle to an edge and around it, as long as that makes the way out shorter.
+    /// room before one of them is the nearest for sure. The normal is close then: it walks
+    /// downhill, at a right angle to an edge and around it, as long as that makes the way out
+    /// shorter.
     fn polish(&mut self, a: &Core, b: &Core) {
         for axis in a.edge_axes().chain(b.edge_axes()) {
             self.improve(a, b, axis);
@@ -233,8 +235,8 @@ impl Polytope {
         best
     }
 
-    /// Whether a vertex is there already. Then the polytope has all of a − b that matters here, and what
-    /// is left between the bounds is rounding.
+    /// Whether a vertex is there already. Then the polytope has all of a − b that matters here, and
+    /// what is left between the bounds is rounding.
     fn has(&self, vertex: &Vertex) -> bool {
         self.vertices
             .iter()
@@ -247,9 +249,11 @@ impl Polytope {
     }
 
     // ANCHOR: grow
-    /// Takes a point in: the face nearest to the origin goes, with all faces around it that see the point, and
-    /// the rim of the hole is joined to it. False if there is no room for that, or rounding has torn
-    /// the rim.
+    /// Takes a point in: the face nearest to the origin goes, with all faces around it that see the
+    /// point, and the rim of the hole is joined to it. False if there is no room for that.
+    ///
+    /// Faces that see the point from elsewhere do so by rounding; they stay, since a second hole
+    /// would tear the surface.
     fn grow(&mut self, nearest: usize, vertex: Vertex) -> bool {
         let slack = ROUNDING * self.extent;
         let sees = |face: &Face| face.normal.dot(vertex.point) > face.distance + slack;
@@ -301,7 +305,8 @@ impl Polytope {
     }
     // ANCHOR_END: face
 
-    /// The plane of the face that has the edge from j to i; none of any use if there is no such face yet.
+    /// The plane of the face that has the edge from j to i; none of any use if there is no such
+    /// face yet.
     fn plane_beyond(&self, i: u8, j: u8) -> (Vec3, f32) {
         let beyond = self
             .faces
@@ -313,8 +318,9 @@ impl Polytope {
     }
 
     // ANCHOR: witnesses
-    /// The points of a and b that belong to the point of the surface nearest to the origin. A flat side of a − b is
-    /// many triangles with the same distance, and only one of them holds that point.
+    /// The points of a and b that belong to the point of the surface nearest to the origin. A flat
+    /// side of a − b is many triangles with the same distance, and only one of them holds that
+    /// point.
     fn witnesses(&self, depth: f32) -> (Vec3, Vec3) {
         let nearest = self.faces[self.nearest()].distance;
         let reach = depth.max(nearest) + self.tolerance(depth);
@@ -342,8 +348,8 @@ struct Hole {
 }
 
 impl Hole {
-    /// Adds a face. Where the face beyond one of its edges has gone before, it has left the same edge the other
-    /// way round: that edge is within the hole now, and forgotten.
+    /// Adds a face. Where the face beyond one of its edges has gone before, it has left the same
+    /// edge the other way round: that edge is within the hole now, and forgotten.
     fn add(&mut self, face: &Face) {
         self.faces.push(face.corners);
         for [from, to] in face.edges() {
@@ -364,7 +370,8 @@ impl Hole {
 
 impl Face {
     /// From one corner to the next.
-    fn edges(&self) -> [[u8; 2]; 3] {
+    #[must_use]
+    pub fn edges(&self) -> [[u8; 2]; 3] {
         let [i, j, k] = self.corners;
         [[i, j], [j, k], [k, i]]
     }

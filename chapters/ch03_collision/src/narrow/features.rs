@@ -64,21 +64,6 @@ impl Feature {
 }
 
 impl Core {
-    // ANCHOR: face_normal
-    /// The outward normal of the flat face that looks along `direction` best, if the hull has one.
-    #[must_use]
-    pub fn face_normal(&self, direction: Vec3) -> Option<Vec3> {
-        let d = self.to_own(direction);
-        let axis = match self.hull {
-            Hull::Point | Hull::Segment { .. } => return None,
-            Hull::Box { .. } => d.abs().max_position(),
-            Hull::Cylinder { .. } => 1,
-        };
-        let normal = self.axes.col(axis);
-        Some(if d[axis] < 0.0 { -normal } else { normal })
-    }
-    // ANCHOR_END: face_normal
-
     // ANCHOR: widest_feature
     /// The widest feature that looks along the unit vector `direction`: a box's face, a cylinder's
     /// cap or the line along its side, a capsule's axis, a ball's centre.
@@ -106,9 +91,9 @@ impl Core {
     // ANCHOR_END: widest_feature
 
     // ANCHOR: edge
-    /// The edge that meets what comes from `direction` (a unit vector) at a right angle or nearly so, if there
-    /// is one: of a box the edge whose axis is the most sideways, of a cylinder the line along its
-    /// side, of a capsule its axis.
+    /// The edge that meets what comes from `direction` (a unit vector) at a right angle or nearly
+    /// so, if there is one: of a box the edge whose axis is the most sideways, of a cylinder the
+    /// line along its side, of a capsule its axis.
     #[must_use]
     pub fn edge(&self, direction: Vec3) -> Option<Feature> {
         let d = self.to_own(direction);

@@ -1,18 +1,21 @@
 //! GJK: how far apart two convex solids are, or that they overlap.
 //!
 //! The distance between a and b is the distance of the origin from the Minkowski difference a − b.
-//! GJK walks there: it holds a simplex within a − b, takes the simplex's point v that is nearest to the
-//! origin, and asks for the support point w of a − b along −v, the furthest beyond v towards
+//! GJK walks there: it holds a simplex within a − b, takes the simplex's point v that is nearest to
+//! the origin, and asks for the support point w of a − b along −v, the furthest beyond v towards
 //! the origin. No point of a − b is nearer to the origin than v·w/|v|; where that is |v|, v is the
 //! answer, and where the simplex holds the origin, the solids overlap.
 //! [Gilbert, Johnson and Keerthi 1988; van den Bergen 2003, 4.3; Ericson 2005, 9.5]
+//!
+//! An f32 loses |v| long before the direction of v is right: near the end a step turns v by a
+//! thousandth and makes it shorter by a millionth. So GJK goes on while either bound gets better.
 
 use glam::Vec3;
 
 use super::simplex::Simplex;
 use super::support_point::{Core, ROUNDING, Vertex, extent};
 
-/// Iterations before GJK gives its best so far; boxes take 3 to 6, cylinders up to 20.
+/// Iterations before GJK gives its best so far. Boxes take a handful, cylinders up to 20.
 pub const MOST_ITERATIONS: usize = 48;
 
 /// The distance is known where its bounds differ by this share of it.
@@ -61,7 +64,8 @@ pub struct Apart {
     pub converged: bool,
 }
 
-/// The distance of two cores, m, in the coordinates of [`Core::pair`]; of no interest above `limit`.
+/// The distance of two cores, m, in the coordinates of [`Core::pair`]; of no interest above
+/// `limit`.
 #[must_use]
 pub fn gjk(a: &Core, b: &Core, limit: f32) -> Gjk {
     watched(a, b, limit, |_| ())

@@ -1,5 +1,5 @@
-//! A list with room for N items, which lives where it is declared: the narrow phase runs for every pair in
-//! every step, and never asks for memory.
+//! A list with room for N items, which lives where it is declared: the narrow phase runs for every
+//! pair in every step, and never asks for memory.
 
 use std::fmt;
 use std::ops::{Deref, DerefMut};

@@ -15,9 +15,13 @@ use super::support_point::Core;
 use super::way_back::way_back;
 use super::{Placed, Spot, Touch};
 
-/// What reaches beyond a face's side by less than this share of the smaller solid's size is not cut, and
-/// points count as equally deep if they differ by less: a tremor must not change which points there are.
+/// What reaches beyond a face's side by less than this share of the smaller solid's size is not
+/// cut, and points count as equally deep if they differ by less: a tremor must not change which
+/// points there are.
 pub(super) const SLACK: f32 = 5e-4;
+
+/// Edges run side by side if the sine of the angle between them is less.
+const PARALLEL: f32 = 0.02;
 
 // ANCHOR: convex_convex
 /// Any two solids; found if the gap between them is at most `margin`, m.
@@ -81,7 +85,7 @@ fn along_edges(a: &Core, b: &Core, normal: Vec3, patch: &mut Patch) {
     let name = 3 << 16 | of_a.id << 12 | of_b.id << 8;
     patch.name_nearest(name);
     let (edge_a, edge_b) = (segment(&of_a), segment(&of_b));
-    let ends = edge_a.beside(&edge_b).into_iter().flatten();
+    let ends = edge_a.beside(&edge_b, PARALLEL).into_iter().flatten();
     for (end, s) in (1..).zip(ends) {
         let on_a = edge_a.at(s);
         let on_b = edge_b.at(edge_b.nearest_to(on_a));

@@ -1,9 +1,9 @@
-//! Four points of many. A face on a face can give sixteen points, and four hold it as well: the ones that
-//! span the widest area, and the deepest.
+//! Four points of many. A face on a face can give sixteen points, and four hold it as well: the
+//! ones that span the widest area, and the deepest.
 //!
 //! Which four they are must not change with every tremor, since a point that stays hands on what it
-//! carried in the last step. So the choice begins with the first point and not with the deepest, and of
-//! points that are about as good the first one wins.
+//! carried in the last step. So the choice begins with the first point and not with the deepest,
+//! and of points that are about as good the first one wins.
 
 use glam::Vec3;
 
@@ -42,8 +42,8 @@ impl Patch {
     }
 
     // ANCHOR: patch
-    /// The touch: the points whose gap is at most `margin`, with the nearest point if none of them is as deep but
-    /// for `slack`, m; of more than four the widest four, with the deepest.
+    /// The touch: the points whose gap is at most `margin`, with the nearest point if none of them
+    /// is as deep but for `slack`, m; of more than four the widest four, with the deepest.
     pub fn touch(mut self, normal: Vec3, margin: f32, slack: f32) -> Touch {
         self.spots.retain(|spot| spot.depth >= -margin);
         if deepest(&self.spots) < self.nearest.depth - slack {
@@ -56,7 +56,8 @@ impl Patch {
     // ANCHOR_END: patch
 
     // ANCHOR: keep
-    /// All of them if there are four at most, else the widest four, with the deepest in the place of its neighbour.
+    /// All of them if there are four at most, else the widest four, with the deepest in the place
+    /// of its neighbour.
     fn spots_to_keep(&self, normal: Vec3, slack: f32) -> List<Spot, MOST_SPOTS> {
         if self.spots.len() <= MOST_SPOTS {
             return List::of(&self.spots);
@@ -75,8 +76,8 @@ impl Patch {
     // ANCHOR_END: keep
 
     // ANCHOR: widest
-    /// The first point, the one furthest from it, the one that makes the largest triangle with these,
-    /// and the one that adds most to the triangle.
+    /// The first point, the one furthest from it, the one that makes the largest triangle with
+    /// these, and the one that adds most to the triangle.
     fn widest(&self, normal: Vec3) -> List<Spot, MOST_SPOTS> {
         let mut chosen = List::of(&self.spots[..1]);
         while !chosen.is_full() {

@@ -3,9 +3,6 @@
 
 use glam::Vec3;
 
-/// Segments whose directions differ by less than this angle, rad, count as parallel.
-pub const PARALLEL: f32 = 0.02;
-
 /// A segment: its middle, and from there to one of its ends, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
@@ -60,13 +57,14 @@ impl Segment {
     // ANCHOR_END: nearest_points
 
     // ANCHOR: beside
-    /// The part of this segment, from −1 to 1, that lies beside another one: none if they are not
-    /// nearly parallel, or one is past the other's end.
+    /// The part of this segment, from −1 to 1, that lies beside another one: none if their
+    /// directions differ by an angle with a larger sine than `parallel`, or one is past the other's
+    /// end.
     #[must_use]
-    pub fn beside(&self, other: &Self) -> Option<[f32; 2]> {
+    pub fn beside(&self, other: &Self, parallel: f32) -> Option<[f32; 2]> {
         let (u, v) = (self.half, other.half);
         let (u2, v2) = (u.length_squared(), v.length_squared());
-        if u.cross(v).length_squared() >= PARALLEL * PARALLEL * u2 * v2 {
+        if u.cross(v).length_squared() >= parallel * parallel * u2 * v2 {
             return None;
         }
         let middle = (other.centre - self.centre).dot(u) / u2;

@@ -1,27 +1,24 @@
-//! The shortest way apart of any two solids, or the gap between them: GJK first, EPA where it must be.
+//! The shortest way apart of any two solids, or the gap between them: GJK first, EPA where it must
+//! be.
 //!
-//! GJK is quick and exact for cores that are apart, and says nothing about how deep they overlap.
-//! A capsule's core is apart from the floor long after its surface went in. Boxes get the same grace:
-//! they are shrunk under a skin, and the distance of the shrunk ones less the skin is the answer,
-//! unless edges or corners meet, which the skin has rounded.
+//! GJK is quick and exact for cores that are apart, and says nothing about how deep they overlap. A
+//! capsule's core is apart from the floor long after its surface went in. A box gets the same
+//! grace: it is shrunk under a skin, a radius, and rounded by that lies within the sharp one.
 //!
-//! Which it is, two bounds tell. The rounded solids lie within the sharp ones, so the sharp ones
-//! are at most as far apart; and they are at least as far apart as along any one normal.
-//! Where both bounds agree, nothing is left to find out. Else GJK looks at the sharp solids, and
-//! EPA if they overlap.
+//! So two bounds are known. The sharp solids are at most as far apart as the rounded ones, and at
+//! least as far as along the normal of any face. Where both agree, that face is the answer. They do
+//! where something lies on a face or stands on it with a corner, and don't where edges cross or
+//! rims meet. These are left to EPA.
 
 use glam::Vec3;
 
-use super::epa::{Penetration, epa};
+use super::epa::epa;
 use super::gjk::{Apart, Gjk, gjk};
 use super::simplex::Simplex;
 use super::support_point::{Core, ROUNDING, extent, separation};
 
 /// The skin, as a share of a solid's smallest half extent.
 const SKIN: f32 = 0.1;
-
-/// Two bounds agree if they differ by this share of the smaller solid's size.
-const AGREE: f32 = 5e-5;
 
 /// Nearer than this share of the coordinates GJK's normal is mostly rounding.
 const VAGUE: f32 = 1e-4;
@@ -61,112 +58,131 @@ pub struct ShortestWay {
 /// The shortest way apart of two solids that are at most `margin` from touching, m.
 #[must_use]
 pub fn shortest_way(a: &Core, b: &Core, margin: f32) -> Option<ShortestWay> {
-    let radii = a.radius + b.radius;
-    let way = match gjk(a, b, radii + margin) {
+    let face = leading_face(a, b);
+    if face.separation > margin {
+        return None;
+    }
+    let way = match gjk(a, b, a.radius + b.radius + margin) {
         Gjk::Far => return None,
         Gjk::Apart(apart) if apart.distance > VAGUE * extent(a, b) => {
-            confirmed(a, b, (a, b), &apart).unwrap_or_else(|| believed(a, b, &apart))
+            settled(face, ShortestWay::of_apart(a, b, &apart), a, b)
         }
         Gjk::Apart(Apart { simplex, .. }) | Gjk::Overlapping(simplex) => {
-            under_the_skin(a, b).unwrap_or_else(|| deep(a, b, &simplex))
+            let sure = under_the_skin(a, b, face);
+            sure.unwrap_or_else(|| settled(face, ShortestWay::of_overlap(a, b, &simplex), a, b))
         }
     };
     (way.separation <= margin).then_some(way)
 }
 // ANCHOR_END: shortest_way
 
+// ANCHOR: leading_face
+/// The way along the normal of a flat face on which the solids are furthest apart. A box that
+/// stands on another has two such faces, which rounding would take in turns: the larger solid's
+/// comes first, b's if they are equally large.
+fn leading_face(a: &Core, b: &Core) -> ShortestWay {
+    let (of_a, of_b) = ((Side::A, a), (Side::B, b));
+    let a_first = a.reach() > b.reach();
+    let larger_first = if a_first { [of_a, of_b] } else { [of_b, of_a] };
+    let mut best = ShortestWay::unknown();
+    for (side, core) in larger_first {
+        let clearly = best.separation + tolerance(a, b);
+        for axis in core.face_axes() {
+            let towards_a = axis.dot(a.centre - b.centre) >= 0.0;
+            let normal = if towards_a { axis } else { -axis };
+            let separation = separation(a, b, normal);
+            if separation > clearly.max(best.separation) {
+                best = ShortestWay {
+                    normal,
+                    separation,
+                    face: Some(side),
+                    ..best
+                };
+            }
+        }
+    }
+    best
+}
+// ANCHOR_END: leading_face
+
 // ANCHOR: under_the_skin
-/// What GJK finds between the shrunk solids, if it holds for the sharp ones.
-fn under_the_skin(a: &Core, b: &Core) -> Option<ShortestWay> {
-    let (in_a, in_b) = (a.shrunk(SKIN), b.shrunk(SKIN));
-    match gjk(&in_a, &in_b, f32::INFINITY) {
-        Gjk::Apart(apart) => confirmed(a, b, (&in_a, &in_b), &apart),
+/// The way along the face's normal, if the rounded solids are no further apart than that: then the
+/// sharp ones aren't either, and no normal can do better.
+fn under_the_skin(a: &Core, b: &Core, face: ShortestWay) -> Option<ShortestWay> {
+    let (in_a, in_b) = match face.face? {
+        Side::A => (a.shrunk(SKIN), *b),
+        Side::B => (*a, b.shrunk(SKIN)),
+    };
+    let limit = face.separation + in_a.radius + in_b.radius + 0.5 * tolerance(a, b);
+    match gjk(&in_a, &in_b, limit) {
+        Gjk::Apart(apart) if apart.distance <= limit => Some(ShortestWay {
+            point: ShortestWay::of_apart(&in_a, &in_b, &apart).point,
+            ..face
+        }),
         _ => None,
     }
 }
 // ANCHOR_END: under_the_skin
 
-// ANCHOR: confirmed
-/// What GJK found between two cores, if along its normal a and b are as far apart as it says: no normal
-/// can do better then.
-fn confirmed(a: &Core, b: &Core, cores: (&Core, &Core), apart: &Apart) -> Option<ShortestWay> {
-    let radii = cores.0.radius + cores.1.radius;
-    let at_most = apart.distance - radii;
-    let way = settled(a, b, apart.normal, middle(cores, apart));
-    let agree = AGREE * size(a, b) + ROUNDING * extent(a, b);
-    (way.separation >= at_most - agree).then_some(way)
-}
-// ANCHOR_END: confirmed
-
-/// What GJK found, if the solids are so long that the normal's rounding spoils the other bound.
-fn believed(a: &Core, b: &Core, apart: &Apart) -> ShortestWay {
-    ShortestWay {
-        normal: apart.normal,
-        separation: apart.distance - a.radius - b.radius,
-        point: middle((a, b), apart),
-        face: None,
-        converged: apart.converged,
-    }
-}
-
-/// What EPA finds.
-fn deep(a: &Core, b: &Core, simplex: &Simplex) -> ShortestWay {
-    let Penetration {
-        normal,
-        on_a,
-        on_b,
-        converged,
-        ..
-    } = epa(a, b, simplex);
-    let point = 0.5 * (on_a + on_b + (b.radius - a.radius) * normal);
-    ShortestWay {
-        converged,
-        ..settled(a, b, normal, point)
-    }
-}
-
 // ANCHOR: settled
-/// The way along `normal`, or along the normal of a face that is as good. A box that stands on
-/// another has two such faces, which rounding would take in turns: the larger solid's
-/// comes first, b's if they are equally large.
-fn settled(a: &Core, b: &Core, normal: Vec3, point: Vec3) -> ShortestWay {
-    let best = separation(a, b, normal);
-    let enough = best - AS_GOOD * size(a, b) - ROUNDING * extent(a, b);
-    let of_a = (Side::A, a.face_normal(-normal).map(|normal| -normal));
-    let of_b = (Side::B, b.face_normal(normal));
-    let faces = if a.reach() > b.reach() {
-        [of_a, of_b]
+/// The way along the face's normal if that is as good as the best one, which may be off it by
+/// rounding.
+fn settled(face: ShortestWay, best: ShortestWay, a: &Core, b: &Core) -> ShortestWay {
+    let as_good = face.separation >= best.separation - tolerance(a, b);
+    let as_steep = face.normal.cross(best.normal).length_squared() <= AS_STEEP * AS_STEEP;
+    if as_good && as_steep {
+        let point = best.point;
+        ShortestWay { point, ..face }
     } else {
-        [of_b, of_a]
-    };
-    for (side, face) in faces {
-        let Some(face) = face else { continue };
-        if face.cross(normal).length_squared() <= AS_STEEP * AS_STEEP {
-            let separation = separation(a, b, face);
-            if separation >= enough {
-                return ShortestWay {
-                    normal: face,
-                    separation,
-                    point,
-                    face: Some(side),
-                    converged: true,
-                };
-            }
-        }
-    }
-    ShortestWay {
-        normal,
-        separation: best,
-        point,
-        face: None,
-        converged: true,
+        best
     }
 }
 // ANCHOR_END: settled
 
-/// Midway between the surfaces, where the cores are nearest to each other.
-fn middle((a, b): (&Core, &Core), apart: &Apart) -> Vec3 {
-    0.5 * (apart.on_a + apart.on_b + (b.radius - a.radius) * apart.normal)
+impl ShortestWay {
+    /// Of what is as far apart as can be.
+    fn unknown() -> Self {
+        Self {
+            normal: Vec3::Y,
+            separation: f32::NEG_INFINITY,
+            point: Vec3::ZERO,
+            face: None,
+            converged: true,
+        }
+    }
+
+    /// What GJK found between two cores.
+    fn of_apart(a: &Core, b: &Core, apart: &Apart) -> Self {
+        Self {
+            normal: apart.normal,
+            separation: apart.distance - a.radius - b.radius,
+            point: between(a, b, apart.normal, apart.on_a, apart.on_b),
+            face: None,
+            converged: apart.converged,
+        }
+    }
+
+    /// What EPA finds.
+    fn of_overlap(a: &Core, b: &Core, simplex: &Simplex) -> Self {
+        let found = epa(a, b, simplex);
+        Self {
+            normal: found.normal,
+            separation: -found.depth - a.radius - b.radius,
+            point: between(a, b, found.normal, found.on_a, found.on_b),
+            face: None,
+            converged: found.converged,
+        }
+    }
+}
+
+/// Midway between the surfaces over two points of the cores.
+fn between(a: &Core, b: &Core, normal: Vec3, on_a: Vec3, on_b: Vec3) -> Vec3 {
+    0.5 * (on_a + on_b + (b.radius - a.radius) * normal)
+}
+
+/// Along two normals the solids are equally far apart if they differ by less than this, m.
+fn tolerance(a: &Core, b: &Core) -> f32 {
+    AS_GOOD * size(a, b) + ROUNDING * extent(a, b)
 }
 
 /// How large the smaller of two solids is, m.

@@ -2,9 +2,9 @@
 //! origin, and which of its vertices carry it.
 //!
 //! The nearest point is Σ λᵢ wᵢ with weights λᵢ ≥ 0 that add up to 1. If the origin's projection
-//! has a negative weight, the nearest point lies on a side opposite to such a vertex, so we look there.
-//! Where rounding may have spoiled the signs, in a simplex that is almost flat, all sides are
-//! tried. [Ericson 2005, 5.1; Montanari et al. 2017]
+//! has a negative weight, the nearest point lies on a side opposite to such a vertex, so we look
+//! there. Where rounding may have spoiled the signs, in a simplex that is almost flat, all sides
+//! are tried. [Ericson 2005, 5.1; Montanari et al. 2017]
 
 use glam::Vec3;
 
@@ -133,8 +133,8 @@ impl Simplex {
     // ANCHOR_END: on_segment
 
     // ANCHOR: on_triangle
-    /// On a triangle: the origin's projection a + μ ab + ν ac, where n = ab × ac,
-    /// μ = n·(ac × a)/n² and ν = n·(a × ab)/n², if it lies within, else on a side that it lies beyond.
+    /// On a triangle: the origin's projection a + μ ab + ν ac, where n = ab × ac, μ = n·(ac × a)/n²
+    /// and ν = n·(a × ab)/n², if it lies within, else on a side that it lies beyond.
     fn on_triangle(&self, [i, j, k]: [usize; 3]) -> Nearest {
         let [a, b, c] = [i, j, k].map(|i| self.vertices[i].point);
         let (ab, ac) = (b - a, c - a);
@@ -162,8 +162,9 @@ impl Simplex {
     /// In a tetrahedron: the origin itself if it is on the inner side of all four faces, else on a
     /// face that it is outside of.
     ///
-    /// The weight of a vertex is how high the origin is above the opposite face, as a share of the vertex's own
-    /// height. All four are computed on their own, so if they don't add up to 1, rounding has spoiled them.
+    /// The weight of a vertex is how high the origin is above the opposite face, as a share of the
+    /// vertex's own height. All four are computed on their own, so if they don't add up to 1,
+    /// rounding has spoiled them.
     fn in_tetrahedron(&self) -> Nearest {
         let p = [0, 1, 2, 3].map(|i| self.vertices[i].point);
         let mut weights = [0.0; 4];

@@ -117,7 +117,8 @@ mod tests {
 
     #[test]
     fn a_ball_that_flew_past_a_corner_is_not_pushed_from_behind() {
-        // It came from the right of the block and is now below its lower face, still at its right half.
+        // It came from the right of the block and is now below its lower face, still at its right
+        // half.
         let touch = at(Vec3::new(1.8, -0.6, 0.0), Vec3::new(2.5, 0.3, 0.0)).unwrap();
         assert_eq!(touch.normal, Vec3::X);
         assert!((touch.depth() - 0.4).abs() < 1e-6);

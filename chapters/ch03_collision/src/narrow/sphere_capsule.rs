@@ -43,8 +43,8 @@ pub fn sphere_capsule(
 pub const ON_AXIS: f32 = 1e-6;
 
 // ANCHOR: sideways
-/// The way out for what sits on an axis: as steeply up as possible at a right angle to it, and along
-/// x if the axis is upright.
+/// The way out for what sits on an axis: as steeply up as possible at a right angle to it, and
+/// along x if the axis is upright.
 #[must_use]
 pub fn sideways(axis: Vec3) -> Vec3 {
     (Vec3::Y - axis * axis.y).try_normalize().unwrap_or(Vec3::X)

@@ -63,18 +63,21 @@ impl Core {
             Shape::Capsule {
                 radius,
                 half_height,
-            } if half_height > 0.0 => (Hull::Segment { half_height }, radius),
-            Shape::Capsule { radius, .. } => (Hull::Point, radius),
+            } => {
+                let is_ball = half_height == 0.0;
+                let axis = Hull::Segment { half_height };
+                (if is_ball { Hull::Point } else { axis }, radius)
+            }
             Shape::Box { half_extents } => (Hull::Box { half_extents }, 0.0),
             Shape::Cylinder {
                 radius,
                 half_height,
             } => {
-                let hull = Hull::Cylinder {
+                let sharp = Hull::Cylinder {
                     radius,
                     half_height,
                 };
-                (hull, 0.0)
+                (sharp, 0.0)
             }
         };
         Self {
@@ -128,6 +131,28 @@ impl Core {
         };
         let all = self.axes;
         axes.map(move |i| all.col(i))
+    }
+
+    /// The normals of the hull's flat faces, one for a face and its opposite.
+    pub fn face_axes(&self) -> impl Iterator<Item = Vec3> + use<> {
+        let flat = !matches!(self.hull, Hull::Segment { .. });
+        self.edge_axes().filter(move |_| flat)
+    }
+
+    /// How far the hull reaches from its centre along a unit vector, m: as far on one side as on
+    /// the other.
+    #[must_use]
+    pub fn half_width(&self, n: Vec3) -> f32 {
+        let d = self.to_own(n).abs();
+        match self.hull {
+            Hull::Point => 0.0,
+            Hull::Segment { half_height } => d.y * half_height,
+            Hull::Box { half_extents } => d.dot(half_extents),
+            Hull::Cylinder {
+                radius,
+                half_height,
+            } => (d.x * d.x + d.z * d.z).sqrt() * radius + d.y * half_height,
+        }
     }
 
     /// Radius of the ball about the centre that holds the hull, m.
@@ -210,7 +235,8 @@ impl Vertex {
 /// that a has to go along it until they touch. Over all normals, the distance is the largest.
 #[must_use]
 pub fn separation(a: &Core, b: &Core, normal: Vec3) -> f32 {
-    Vertex::support(a, b, -normal).point.dot(normal) - a.radius - b.radius
+    let between = (a.centre - b.centre).dot(normal);
+    between - a.half_width(normal) - b.half_width(normal) - a.radius - b.radius
 }
 // ANCHOR_END: separation
 

@@ -1,6 +1,6 @@
-//! The way back: a limb that falls past the middle of a thin floor within one step is nearest to the floor's lower
-//! face, and the shortest way apart would push it through. Where it was a step ago tells which way
-//! is the right one.
+//! The way back: a limb that falls past the middle of a thin floor within one step is nearest to
+//! the floor's lower face, and the shortest way apart would push it through. Where it was a step
+//! ago tells which way is the right one.
 
 use ch00_maths::f32::shape::Shape;
 
@@ -9,8 +9,8 @@ use super::shortest_way::{ShortestWay, Side};
 use super::support_point::{Core, Vertex, separation};
 
 // ANCHOR: way_back
-/// The way apart `way`; but if the larger solid is a box, and the other one's centre went in through one of its
-/// faces and past the middle in this step, the way back through that face.
+/// The way apart `way`; but if the larger solid is a box, and the other one's centre went in
+/// through one of its faces and past the middle in this step, the way back through that face.
 #[must_use]
 pub fn way_back(a: &Placed, b: &Placed, cores: (&Core, &Core), way: ShortestWay) -> ShortestWay {
     let (core_a, core_b) = cores;

@@ -156,10 +156,10 @@ fn rest(
     for c in &*constraints {
         c.apply(bodies, c.support * c.normal + c.rub);
     }
-    for _ in 0..rules.sweeps {
+    for sweep in 0..rules.sweeps {
         let mut changed = links.hold(rules.still);
-        for c in &mut *constraints {
-            changed |= c.hold(bodies, rules);
+        for pair in constraints.chunk_by_mut(Constraint::is_of_same_pair) {
+            changed |= hold_in_turn(pair, sweep % 2 == 1, bodies, rules);
         }
         if !changed {
             break;
@@ -170,6 +170,21 @@ fn rest(
     }
 }
 // ANCHOR_END: rest
+
+/// Mends the points of a touch. They take turns in going first, or a tower would lean to one side.
+fn hold_in_turn(
+    pair: &mut [Constraint],
+    backwards: bool,
+    bodies: &[Shared<RigidBody>],
+    rules: Rules,
+) -> bool {
+    let either = |changed: bool, c: &mut Constraint| changed | c.hold(bodies, rules);
+    if backwards {
+        pair.iter_mut().rev().fold(false, either)
+    } else {
+        pair.iter_mut().fold(false, either)
+    }
+}
 
 /// Writes the impulses into the contacts.
 fn report(contacts: &mut [Contact], constraints: &[Constraint]) {
