@@ -43,4 +43,4 @@ impl Chapter {
 
 /// Which chapter to turn to for an engine that a chapter's own program doesn't have. A
 /// chapter that brings an engine adds its line.
-const ENGINES_ELSEWHERE: &[(&str, &str)] = &[("objects", "ch03_collision")];
+const ENGINES_ELSEWHERE: &[(&str, &str)] = &[("objects", "ch04_ragdolls")];

@@ -436,7 +436,7 @@ mod tests {
     #[test]
     fn an_engine_of_another_chapter_is_answered_with_that_chapter() {
         let message = refusal(&["--engine", "objects"]);
-        assert!(message.contains("ch03_collision"), "{message}");
+        assert!(message.contains("ch04_ragdolls"), "{message}");
         assert!(message.contains("falling"), "{message}");
     }
 

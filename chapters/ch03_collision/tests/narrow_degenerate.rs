@@ -272,6 +272,18 @@ fn parallel_capsules_touch_along_the_stretch_that_they_share() {
 }
 
 #[test]
+fn capsules_a_little_out_of_parallel_keep_their_second_point_while_it_is_near() {
+    let one = capsule(0.1, 0.5);
+    for (angle, points) in [(0.005, 2), (0.015, 2), (0.05, 1)] {
+        // One end of the other sinks in by a millimetre, the other one stands off.
+        let aside = 0.199 + 0.5 * sin_cos(angle).0;
+        let other = one.at(aside, 0.0, 0.0).turned(Quat::from_rotation_z(angle));
+        let touch = meets(&other, &one, 0.001, 1e-4);
+        assert_eq!(touch.spots().len(), points, "{touch:?}");
+    }
+}
+
+#[test]
 fn capsules_on_one_axis_touch_at_their_ends() {
     let touch = meets(
         &capsule(0.1, 0.5).at(0.0, 1.19, 0.0),
@@ -341,7 +353,7 @@ fn a_cylinder_stands_on_four_points_lies_on_two_and_leans_on_its_rim() {
     for turn in [0.0, 0.2, 0.39, 1.0] {
         // Turned about its own axis, the rim's lowest point is between the cap's corners.
         let leaning = Quat::from_rotation_z(0.5) * Quat::from_rotation_y(turn);
-        let height = 0.2 * libm(0.5).1 + 0.3 * libm(0.5).0;
+        let height = 0.2 * sin_cos(0.5).1 + 0.3 * sin_cos(0.5).0;
         let touch = meets(
             &drum.turned(leaning).at(0.0, height - 0.001, 0.0),
             &floor(),
@@ -353,7 +365,7 @@ fn a_cylinder_stands_on_four_points_lies_on_two_and_leans_on_its_rim() {
 }
 
 /// Sine and cosine.
-fn libm(angle: f32) -> (f32, f32) {
+fn sin_cos(angle: f32) -> (f32, f32) {
     angle.sin_cos()
 }
 
@@ -590,7 +602,7 @@ fn a_gap_counts_up_to_the_margin() {
 fn a_tilted_box_drops_the_points_that_are_further_than_the_margin() {
     // 1 m wide, tilted by 0.05 rad: one side is 50 mm higher.
     let tilted = block(0.5, 0.1, 0.5).turned(Quat::from_rotation_z(0.05));
-    let (sine, cosine) = libm(0.05);
+    let (sine, cosine) = sin_cos(0.05);
     let height = 0.5 * sine + 0.1 * cosine;
     for (margin, points) in [(0.01, 2), (0.1, 4)] {
         let touch =
