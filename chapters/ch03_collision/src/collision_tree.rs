@@ -19,6 +19,8 @@ pub struct CollisionTree {
     /// Pairs that pass through each other, in order.
     ignored: Vec<(usize, usize)>,
     last: Vec<Contact>,
+    /// Touches whose depth the iterations did not get to the end of, since loading.
+    unsure: usize,
 }
 
 impl CollisionTree {
@@ -82,6 +84,7 @@ impl CollisionTree {
             let Some(touch) = touch(&placed(&body_1), &placed(&body_2), margin) else {
                 continue;
             };
+            self.unsure += usize::from(!touch.converged);
             let from = contacts.len();
             contacts.extend(touch.spots().iter().map(|spot| Contact {
                 a,
@@ -99,6 +102,12 @@ impl CollisionTree {
         Contact::remember(contacts, &self.last);
     }
     // ANCHOR_END: narrow
+
+    /// Touches whose depth the narrow phase's iterations did not get to the end of, since loading.
+    #[must_use]
+    pub fn unsure_touches(&self) -> usize {
+        self.unsure
+    }
 
     /// How many pairs the last broad phase found.
     #[must_use]

@@ -295,7 +295,7 @@ impl Engine for CollisionEngine {
         Counters {
             pairs: self.tree.pair_count(),
             contacts: self.contacts.len(),
-            overflow: self.impacts_left + self.world.unread_turns(),
+            overflow: self.impacts_left + self.world.unread_turns() + self.tree.unsure_touches(),
         }
     }
 
