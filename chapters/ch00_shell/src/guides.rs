@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use ch00_scenes::{
-    ContactPoint, Dissection, Drawing, Face, Force, Key, Layer, Line, Mark, Scene, orbits,
+    ContactPoint, Dissection, Drawing, Face, Force, Joint, Key, Layer, Line, Mark, Scene, orbits,
 };
 use glam::DVec3;
 
@@ -98,13 +98,23 @@ impl Guides {
     }
 }
 
-/// What holds and carries the bodies, between the last two states at `alpha`: rods to fixed points,
-/// and orbits.
+/// What holds and carries the bodies, between the last two states at `alpha`: rods to fixed points
+/// and of distance joints, and orbits.
 fn add_fixtures(session: &Session, alpha: f64, strokes: &mut Vec<Stroke>) {
     for force in &session.scene().forces {
         if let Force::FixedPoint { body, arm } = *force {
             let (position, orientation) = session.pose(body, alpha);
             strokes.push(line(position - orientation * arm, position, 3.0, ROD));
+        }
+    }
+    for joint in &session.scene().joints {
+        if let Joint::Distance { a, b, .. } = *joint {
+            let (anchor_a, anchor_b) = joint.anchors();
+            let at = |body: usize, anchor: DVec3| {
+                let (position, orientation) = session.pose(body, alpha);
+                position + orientation * anchor
+            };
+            strokes.push(line(at(a, anchor_a), at(b, anchor_b), 2.0, ROD));
         }
     }
     let shown_time = session.time() - (1.0 - alpha) * session.dt();

@@ -183,7 +183,8 @@ fn wall_face(body: &Body, moving: &[&Body], moving_box: (DVec3, DVec3)) -> Optio
             };
             let (across, up) = edges(&axes, half_extents, axis);
             let is_wide = 2.5 * across.length() > spread.x.max(spread.z);
-            if is_upright && is_wide && holds_all() {
+            let is_high = 4.0 * up.length() > spread.y;
+            if is_upright && is_wide && is_high && holds_all() {
                 return Some(Face {
                     centre: centre.as_vec3(),
                     normal: normal.as_vec3(),
