@@ -9,8 +9,8 @@ use ch02_rigid_bodies::{Loaded, METHODS, Method, RigidBody, load_bodies};
 
 use crate::checks::{check_settings, unsupported};
 use crate::{
-    CollisionTree, Contact, Links, Margins, NoLinks, PassClock, Rules, dissect, layers, placed,
-    resolve_corrected, resolve_printed,
+    CollisionTree, Contact, Links, Margins, NoLinks, PassClock, Rules, default_sweeps, dissect,
+    layers, placed, resolve_corrected, resolve_printed,
 };
 
 /// Chapter 3's entry in a list of engines.
@@ -218,7 +218,7 @@ impl CollisionEngine {
 fn rules_for(scene: &Scene, settings: &Settings) -> Rules {
     let defaults = Rules::default();
     Rules {
-        sweeps: settings.sweeps.unwrap_or(defaults.sweeps),
+        sweeps: settings.sweeps.unwrap_or_else(|| default_sweeps(scene)),
         restitution_threshold: scene
             .restitution_threshold
             .map_or(defaults.restitution_threshold, |speed| speed as f32),

@@ -23,4 +23,7 @@ pub use contact::Contact;
 pub use dissect::dissect;
 pub use engine::{CollisionEngine, ENGINE};
 pub use pass_clock::PassClock;
-pub use resolve::{DEFAULT_SWEEPS, Links, NoLinks, Rules, resolve_corrected, resolve_printed};
+pub use resolve::{
+    DEFAULT_SWEEPS, DEFAULT_SWEEPS_OF_BALLS, Links, NoLinks, Rules, default_sweeps,
+    resolve_corrected, resolve_printed,
+};

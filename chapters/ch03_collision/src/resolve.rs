@@ -9,6 +9,8 @@ pub use corrected::resolve_corrected;
 pub use links::{Links, NoLinks};
 pub use printed::resolve_printed;
 
+use ch00_scenes::{Body, Scene, Shape};
+
 use crate::Margins;
 
 /// What the corrected resolution may choose.
@@ -26,6 +28,21 @@ pub struct Rules {
 
 /// Sweeps at most, unless `--sweeps` says otherwise.
 pub const DEFAULT_SWEEPS: u32 = 16;
+
+/// The same where all that moves are balls and nothing joins them: no tower leans, no limb folds.
+pub const DEFAULT_SWEEPS_OF_BALLS: u32 = 8;
+
+/// Sweeps at most in this scene, unless the user says otherwise.
+#[must_use]
+pub fn default_sweeps(scene: &Scene) -> u32 {
+    let is_ball = |body: &Body| matches!(body.shape, Shape::Sphere { .. });
+    let moving_are_balls = |body: &Body| body.is_static() || is_ball(body);
+    if scene.joints.is_empty() && scene.bodies.iter().all(moving_are_balls) {
+        DEFAULT_SWEEPS_OF_BALLS
+    } else {
+        DEFAULT_SWEEPS
+    }
+}
 
 /// The furthest that bodies that move may push each other in a step, m.
 pub const LONGEST_SHIFT: f32 = 0.1;

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use ch00_scenes::measures::Measures;
 use ch00_scenes::{Scene, State, builtin};
-use ch03_collision::DEFAULT_SWEEPS;
+use ch03_collision::DEFAULT_SWEEPS_OF_BALLS;
 
 use crate::FindingsError;
 use crate::chart::{Axis, Chart, Series, Style};
@@ -147,7 +147,7 @@ fn page(samples: &[Sample]) -> String {
             three_digits(of(|s| s.kinetic_energy)),
             three_digits(of(|s| s.escaped as f64)),
             three_digits(of(|s| s.median_ms)),
-            if sweeps == DEFAULT_SWEEPS {
+            if sweeps == DEFAULT_SWEEPS_OF_BALLS {
                 "default".to_owned()
             } else {
                 String::new()

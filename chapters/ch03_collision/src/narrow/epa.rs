@@ -38,7 +38,7 @@ pub struct Step<'a> {
     /// The polytope's vertices, in order of arrival. A vertex that is swallowed stays here.
     pub vertices: &'a [Vertex],
     /// The polytope's faces, in an order that means nothing.
-    pub faces: &'a [Face],
+    pub faces: &'a List<Face, MOST_FACES>,
     /// The place in `faces` of the one that is nearest to the origin.
     pub nearest: usize,
     /// The support point along its normal.
@@ -249,29 +249,15 @@ impl Polytope {
     }
 
     // ANCHOR: grow
-    /// Takes a point in: the face nearest to the origin goes, with all faces around it that see the
-    /// point, and the rim of the hole is joined to it. False if there is no room for that.
-    ///
-    /// Faces that see the point from elsewhere do so by rounding; they stay, since a second hole
-    /// would tear the surface.
+    /// Takes a point in: the faces of the hole go, and its rim is joined to the point. False if
+    /// there is no room for that.
     fn grow(&mut self, nearest: usize, vertex: Vertex) -> bool {
-        let slack = ROUNDING * self.extent;
-        let sees = |face: &Face| face.normal.dot(vertex.point) > face.distance + slack;
-        let mut seeing = self.faces;
-        seeing.swap_remove(nearest);
-        seeing.retain(sees);
-        let mut hole = Hole::default();
-        hole.add(&self.faces[nearest]);
-        while let Some(next) = seeing.iter().position(|face| hole.touches(face)) {
-            hole.add(&seeing[next]);
-            seeing.swap_remove(next);
-        }
+        let hole = Hole::new(&self.faces, nearest, &vertex, self.extent);
         let faces = self.faces.len() - hole.faces.len() + hole.rim.len();
         if self.vertices.is_full() || faces > MOST_FACES {
             return false;
         }
-        self.faces
-            .retain(|face| !hole.faces.contains(&face.corners));
+        self.faces.retain(|face| !hole.has(face));
         let new = self.vertices.len() as u8;
         self.vertices.push(vertex);
         for &[i, j] in hole.rim.iter() {
@@ -341,13 +327,45 @@ impl Polytope {
 
 // ANCHOR: hole
 /// Faces that go, and the edges between them and the faces that stay.
-#[derive(Default)]
-struct Hole {
+#[derive(Clone, Debug, Default)]
+pub struct Hole {
     faces: List<[u8; 3], MOST_FACES>,
     rim: List<[u8; 2], MOST_RIM>,
 }
 
 impl Hole {
+    /// Of a polytope of this extent that takes a point in: the face nearest to the origin goes,
+    /// with all faces around it that see the point.
+    ///
+    /// Faces that see the point from elsewhere do so by rounding; they stay, since a second hole
+    /// would tear the surface.
+    #[must_use]
+    pub fn new(
+        faces: &List<Face, MOST_FACES>,
+        nearest: usize,
+        vertex: &Vertex,
+        extent: f32,
+    ) -> Self {
+        let slack = ROUNDING * extent;
+        let sees = |face: &Face| face.normal.dot(vertex.point) > face.distance + slack;
+        let mut seeing = *faces;
+        seeing.swap_remove(nearest);
+        seeing.retain(sees);
+        let mut hole = Self::default();
+        hole.add(&faces[nearest]);
+        while let Some(next) = seeing.iter().position(|face| hole.touches(face)) {
+            hole.add(&seeing[next]);
+            seeing.swap_remove(next);
+        }
+        hole
+    }
+
+    /// Whether a face goes.
+    #[must_use]
+    pub fn has(&self, face: &Face) -> bool {
+        self.faces.contains(&face.corners)
+    }
+
     /// Adds a face. Where the face beyond one of its edges has gone before, it has left the same
     /// edge the other way round: that edge is within the hole now, and forgotten.
     fn add(&mut self, face: &Face) {

@@ -21,7 +21,7 @@ use super::support_point::{Core, ROUNDING, extent, separation};
 const SKIN: f32 = 0.1;
 
 /// Nearer than this share of the coordinates GJK's normal is mostly rounding.
-const VAGUE: f32 = 1e-4;
+pub const VAGUE: f32 = 1e-4;
 
 /// A face leads if along its normal the solids are as far apart as along the best one, but for
 /// this share of the smaller one's size …
@@ -80,7 +80,8 @@ pub fn shortest_way(a: &Core, b: &Core, margin: f32) -> Option<ShortestWay> {
 /// The way along the normal of a flat face on which the solids are furthest apart. A box that
 /// stands on another has two such faces, which rounding would take in turns: the larger solid's
 /// comes first, b's if they are equally large.
-fn leading_face(a: &Core, b: &Core) -> ShortestWay {
+#[must_use]
+pub fn leading_face(a: &Core, b: &Core) -> ShortestWay {
     let (of_a, of_b) = ((Side::A, a), (Side::B, b));
     let a_first = a.reach() > b.reach();
     let larger_first = if a_first { [of_a, of_b] } else { [of_b, of_a] };
@@ -108,12 +109,9 @@ fn leading_face(a: &Core, b: &Core) -> ShortestWay {
 // ANCHOR: under_the_skin
 /// The way along the face's normal, if the rounded solids are no further apart than that: then the
 /// sharp ones aren't either, and no normal can do better.
-fn under_the_skin(a: &Core, b: &Core, face: ShortestWay) -> Option<ShortestWay> {
-    let (in_a, in_b) = match face.face? {
-        Side::A => (a.shrunk(SKIN), *b),
-        Side::B => (*a, b.shrunk(SKIN)),
-    };
-    let limit = face.separation + in_a.radius + in_b.radius + 0.5 * tolerance(a, b);
+#[must_use]
+pub fn under_the_skin(a: &Core, b: &Core, face: ShortestWay) -> Option<ShortestWay> {
+    let (in_a, in_b, limit) = skinned(a, b, face)?;
     match gjk(&in_a, &in_b, limit) {
         Gjk::Apart(apart) if apart.distance <= limit => Some(ShortestWay {
             point: ShortestWay::of_apart(&in_a, &in_b, &apart).point,
@@ -121,6 +119,18 @@ fn under_the_skin(a: &Core, b: &Core, face: ShortestWay) -> Option<ShortestWay> 
         }),
         _ => None,
     }
+}
+
+/// The two, the one whose face leads under a skin, and how far apart their cores are at most if
+/// that face is the answer, m.
+#[must_use]
+pub fn skinned(a: &Core, b: &Core, face: ShortestWay) -> Option<(Core, Core, f32)> {
+    let (in_a, in_b) = match face.face? {
+        Side::A => (a.shrunk(SKIN), *b),
+        Side::B => (*a, b.shrunk(SKIN)),
+    };
+    let limit = face.separation + in_a.radius + in_b.radius + 0.5 * tolerance(a, b);
+    Some((in_a, in_b, limit))
 }
 // ANCHOR_END: under_the_skin
 
