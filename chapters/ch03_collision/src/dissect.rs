@@ -1,114 +1,26 @@
-//! The narrow phase of one pair, taken apart for the overlay: what GJK and EPA looked at in each
-//! of their iterations, and the touch that comes of it.
+//! The narrow phase of one pair, taken apart for the overlay: what each of its parts looked at in
+//! each of its iterations, and the touch that comes of it.
 //!
-//! The engine asks no more than it needs: pairs with a closed form never reach GJK, and solids
-//! with sharp edges meet rounded first, which mostly settles it. Here all of it is shown, and the
-//! words say where the engine stops.
+//! The parts are shown in the engine's order, as far as it goes for this pair: the leading face,
+//! GJK, GJK under the skin, EPA. Pairs with a closed form never get there; GJK is shown for them
+//! all the same, and the words say so.
 
 mod figures;
+mod runs;
 mod surface;
 mod words;
 
-use ch00_maths::f32::shape::Shape;
 use ch00_scenes::{Dissection, Drawing, Phase, SurfacePoint, palette};
 use glam::Vec3;
 
-use crate::narrow::epa;
-use crate::narrow::gjk::{self, Gjk};
-use crate::narrow::simplex::Simplex;
-use crate::narrow::support_point::{Core, Vertex, separation};
-use crate::narrow::{Placed, Touch, touch};
-use figures::{draw_gjk, draw_held, draw_polytope, draw_touch};
+use crate::narrow::Placed;
+use figures::{draw_faces, draw_gjk, draw_held, draw_polytope, draw_touch};
+use runs::{Aim, Look, Part, Run, runs_of};
 use surface::{edges, surface};
-use words::{epa_words, gjk_words, held_words, touch_words};
+use words::{epa_words, faces_words, gjk_words, held_words, touch_words};
 
-const EPA: &str = "EPA";
-const ROUNDED: &str = "GJK, rounded";
-
-/// The share of a sharp solid that is rounded off, as in `shortest_way`.
-const SKIN: f32 = 0.1;
-
-/// What one iteration looked at. Kept, where the watched algorithms only lend it.
-enum Look {
-    /// GJK: the simplex, the next vertex, and how far apart the cores are at least, m.
-    Gjk {
-        simplex: Simplex,
-        support: Vertex,
-        at_least: f32,
-        is_last: bool,
-    },
-    /// GJK's end where the simplex holds the origin.
-    Held { simplex: Simplex },
-    /// EPA: the polytope, the place of its nearest face, and the support point along its normal.
-    Epa {
-        vertices: Vec<Vertex>,
-        faces: Vec<epa::Face>,
-        nearest: usize,
-        support: Vertex,
-        is_last: bool,
-    },
-    /// What comes of it, and how the engine gets there.
-    Touch {
-        touch: Option<Touch>,
-        way: &'static str,
-    },
-}
-
-/// An algorithm's run on two cores.
-struct Run {
-    name: &'static str,
-    a: Core,
-    b: Core,
-    looks: Vec<Look>,
-    /// After each of them, between which numbers the distance of the solids is, m.
-    bounds: Vec<[f32; 2]>,
-}
-
-impl Run {
-    fn new(name: &'static str, a: Core, b: Core) -> Self {
-        Self {
-            name,
-            a,
-            b,
-            looks: Vec::new(),
-            bounds: Vec::new(),
-        }
-    }
-
-    /// The letters of a vertex: A is the first that GJK found.
-    fn letter(&self, vertex: &Vertex) -> String {
-        let mut arrivals = self.looks.iter().flat_map(|look| match look {
-            Look::Gjk {
-                simplex, support, ..
-            } => [simplex.vertices().first().copied(), Some(*support)],
-            _ => [None, None],
-        });
-        let first = arrivals.next().flatten();
-        let mut known: Vec<Vec3> = first.iter().map(|vertex| vertex.point).collect();
-        for arrival in arrivals.flatten() {
-            if !known.contains(&arrival.point) {
-                known.push(arrival.point);
-            }
-        }
-        let place = known.iter().position(|point| *point == vertex.point);
-        place.map_or_else(String::new, |place| {
-            char::from_u32('A' as u32 + place as u32 % 26).map_or_else(String::new, String::from)
-        })
-    }
-
-    /// How far the solids reach beyond their cores, m.
-    fn radii(&self) -> f32 {
-        self.a.radius + self.b.radius
-    }
-
-    /// Adds what an iteration looked at. Bounds only ever close in.
-    fn push(&mut self, look: Look, [low, high]: [f32; 2]) {
-        let [low, high] = [low, high].map(|bound| bound - self.radii());
-        let [last_low, last_high] = self.bounds.last().copied().unwrap_or([low, high]);
-        self.looks.push(look);
-        self.bounds.push([low.max(last_low), high.min(last_high)]);
-    }
-}
+/// The first part of pairs with a closed form.
+const STUDY: Part = Part::Gjk(Aim::Study);
 
 /// What the narrow phase does with two solids, after its iteration `step`; past the last, that
 /// one.
@@ -118,7 +30,7 @@ pub fn dissect(a: &Placed, b: &Placed, step: usize) -> Dissection {
     let phases: Vec<Phase> = runs
         .iter()
         .map(|run| Phase {
-            name: run.name,
+            name: run.name(),
             steps: run.looks.len(),
         })
         .collect();
@@ -136,10 +48,7 @@ pub fn dissect(a: &Placed, b: &Placed, step: usize) -> Dissection {
     shown.draw(place);
     Dissection {
         step,
-        title: match run.looks.len() {
-            1 => run.name.to_owned(),
-            steps => format!("{}, iteration {} of {steps}", run.name, place + 1),
-        },
+        title: title(run, place, runs[0].part == STUDY),
         text: shown.text,
         bounds: runs.iter().flat_map(|run| run.bounds.clone()).collect(),
         surface: shown.surface,
@@ -150,107 +59,18 @@ pub fn dissect(a: &Placed, b: &Placed, step: usize) -> Dissection {
     }
 }
 
-/// All algorithms that have a say, in order.
-fn runs_of(a: &Placed, b: &Placed) -> Vec<Run> {
-    let (core_a, core_b) = Core::pair(a, b);
-    let mut runs = Vec::new();
-    if core_a.radius + core_b.radius == 0.0 {
-        let (in_a, in_b) = (core_a.shrunk(SKIN), core_b.shrunk(SKIN));
-        runs.push(gjk_run(ROUNDED, in_a, in_b).0);
+/// Such as `GJK, iteration 3 of 5`.
+fn title(run: &Run, place: usize, study: bool) -> String {
+    let name = match run.part {
+        Part::Faces => "The leading face".to_owned(),
+        Part::Touch => return "Touch".to_owned(),
+        _ if study => format!("{} for study", run.name()),
+        _ => run.name().to_owned(),
+    };
+    match run.looks.len() {
+        1 => name,
+        steps => format!("{name}, iteration {} of {steps}", place + 1),
     }
-    let (run, end) = gjk_run("GJK", core_a, core_b);
-    runs.push(run);
-    if let Gjk::Overlapping(simplex) = end {
-        runs.push(epa_run(core_a, core_b, &simplex));
-    }
-    let touch = touch(a, b, f32::INFINITY);
-    runs.push(touch_run(touch, way_of(a, b, touch, &runs), core_a, core_b));
-    runs
-}
-
-/// Which way the engine takes for this pair.
-fn way_of(a: &Placed, b: &Placed, touch: Option<Touch>, runs: &[Run]) -> &'static str {
-    use Shape::{Capsule, Sphere};
-    let (last, first) = (&runs[runs.len() - 1], &runs[0]);
-    match (a.shape, b.shape) {
-        (Sphere { .. }, _) | (_, Sphere { .. }) | (Capsule { .. }, Capsule { .. }) => {
-            "by the closed form of these shapes, without GJK"
-        }
-        _ if runs.len() == 1 => "by GJK alone",
-        _ => {
-            let size = last.a.reach().min(last.b.reach());
-            let rounded = first
-                .bounds
-                .last()
-                .map_or(f32::INFINITY, |bounds| bounds[1]);
-            let found = touch.map_or(0.0, |touch| separation(&last.a, &last.b, touch.normal));
-            if first.radii() > last.radii() && found >= rounded - 1e-4 * size {
-                "by GJK on the rounded solids: their faces are as far apart as these are"
-            } else if last.name == EPA {
-                "by EPA"
-            } else {
-                "by GJK on the sharp solids"
-            }
-        }
-    }
-}
-
-fn gjk_run(name: &'static str, a: Core, b: Core) -> (Run, Gjk) {
-    let mut run = Run::new(name, a, b);
-    let end = gjk::watched(&a, &b, f32::INFINITY, |step| {
-        let look = Look::Gjk {
-            simplex: *step.simplex,
-            support: step.support,
-            at_least: step.at_least,
-            is_last: false,
-        };
-        run.push(look, [step.at_least, step.simplex.nearest().length()]);
-    });
-    match end {
-        Gjk::Overlapping(simplex) => {
-            let low = run
-                .bounds
-                .last()
-                .map_or(f32::NEG_INFINITY, |bounds| bounds[0]);
-            run.push(Look::Held { simplex }, [low, 0.0]);
-        }
-        Gjk::Apart(_) | Gjk::Far => {
-            if let Some(Look::Gjk { is_last, .. }) = run.looks.last_mut() {
-                *is_last = true;
-            }
-        }
-    }
-    (run, end)
-}
-
-fn epa_run(a: Core, b: Core, simplex: &Simplex) -> Run {
-    let mut run = Run::new(EPA, a, b);
-    epa::watched(&a, &b, simplex, |step| {
-        let face = &step.faces[step.nearest];
-        let look = Look::Epa {
-            vertices: step.vertices.to_vec(),
-            faces: step.faces.to_vec(),
-            nearest: step.nearest,
-            support: step.support,
-            is_last: false,
-        };
-        let depth = step.support.point.dot(face.normal);
-        run.push(look, [-depth, -face.distance]);
-    });
-    if let Some(Look::Epa { is_last, .. }) = run.looks.last_mut() {
-        *is_last = true;
-    }
-    run
-}
-
-/// What the engine itself answers, whatever way it takes.
-fn touch_run(touch: Option<Touch>, way: &'static str, core_a: Core, core_b: Core) -> Run {
-    let mut run = Run::new("Touch", core_a, core_b);
-    let distance = touch.map_or(f32::INFINITY, |touch| {
-        separation(&core_a, &core_b, touch.normal) + run.radii()
-    });
-    run.push(Look::Touch { touch, way }, [distance; 2]);
-    run
 }
 
 /// A look, drawn and put into words.
@@ -305,14 +125,18 @@ impl<'a> Shown<'a> {
         }
         let bounds = self.run.bounds[place];
         match &self.run.looks[place] {
+            Look::Faces { face, support } => {
+                draw_faces(self, face, support);
+                self.text = faces_words(face);
+            }
             Look::Gjk {
                 simplex,
                 support,
                 at_least,
-                is_last,
+                end,
             } => {
                 draw_gjk(self, simplex, support, *at_least);
-                self.text = gjk_words(simplex, *at_least, *is_last, bounds, self.run);
+                self.text = gjk_words(simplex, *at_least, *end, bounds, self.run);
             }
             Look::Held { simplex } => {
                 draw_held(self, simplex);
@@ -323,18 +147,23 @@ impl<'a> Shown<'a> {
                 faces,
                 nearest,
                 support,
-                is_last,
+                gone,
+                end,
             } => {
-                draw_polytope(self, vertices, faces, *nearest, support);
+                draw_polytope(self, vertices, faces, *nearest, support, gone);
                 let face = &faces[*nearest];
-                let found = support.point.dot(face.normal);
-                self.text = epa_words(faces.len(), face.distance, found, *is_last);
+                let reach = [face.distance, support.point.dot(face.normal)];
+                self.text = epa_words(faces.len(), gone.len(), reach, end.as_ref());
             }
-            Look::Touch { touch, way } => {
+            Look::Touch {
+                touch,
+                decision,
+                leading,
+            } => {
                 if let Some(touch) = touch {
                     draw_touch(self, touch);
                 }
-                self.text = touch_words(touch.as_ref(), way);
+                self.text = touch_words(touch.as_ref(), decision, *leading);
             }
         }
     }
@@ -342,6 +171,7 @@ impl<'a> Shown<'a> {
 
 #[cfg(test)]
 mod tests {
+    use ch00_maths::f32::shape::Shape;
     use glam::Quat;
 
     use super::*;
@@ -351,6 +181,11 @@ mod tests {
     };
     const CAPSULE: Shape = Shape::Capsule {
         radius: 0.2,
+        half_height: 0.5,
+    };
+    const BALL: Shape = Shape::Sphere { radius: 0.4 };
+    const CYLINDER: Shape = Shape::Cylinder {
+        radius: 0.4,
         half_height: 0.5,
     };
 
@@ -376,23 +211,213 @@ mod tests {
         dissection.phases.iter().map(|phase| phase.name).collect()
     }
 
+    /// The text of the last iteration of a phase.
+    fn end_of(one: &Shape, two: &Shape, height: f32, phase: &str) -> String {
+        let all = above(one, two, height, 0);
+        let mut step = 0;
+        for next in &all.phases {
+            step += next.steps;
+            if next.name == phase {
+                return above(one, two, height, step - 1).text;
+            }
+        }
+        format!("no {phase} in {:?}", names(&all))
+    }
+
+    fn assert_says(text: &str, part: &str) {
+        assert!(text.contains(part), "{text}");
+    }
+
     #[test]
-    fn sharp_solids_meet_rounded_first_and_epa_says_how_deep_they_are() {
+    fn solids_that_are_apart_need_no_more_than_the_faces_and_gjk() {
+        let end = above(&CUBE, &CUBE, 2.0, usize::MAX);
+        assert_eq!(names(&end), ["Faces", "GJK", "Touch"]);
+        let [low, high] = end.bounds[end.steps() - 2];
+        assert!(low > 0.3 && high - low < 1e-4, "{low} … {high}");
+        assert!(end.bounds[0][0] > 0.3 && end.bounds[0][0] <= high);
+        assert_says(&above(&CUBE, &CUBE, 2.0, 0).text, "at least that far apart");
+        assert_says(&end.text, "GJK decided");
+        assert_says(&end.text, "the faces alone end it");
+    }
+
+    #[test]
+    fn a_corner_a_little_way_in_a_face_is_settled_by_the_skin() {
+        let corner_down = Quat::from_rotation_arc(Vec3::ONE.normalize(), Vec3::NEG_Y);
+        let p = Vec3::new(0.1, 0.5 + 0.75_f32.sqrt() - 0.02, 0.0);
+        let a = Placed {
+            shape: &CUBE,
+            p,
+            q: corner_down,
+            p_before: p,
+        };
+        let b = Placed {
+            shape: &CUBE,
+            p: Vec3::ZERO,
+            q: Quat::IDENTITY,
+            p_before: Vec3::ZERO,
+        };
+        let end = dissect(&a, &b, usize::MAX);
+        assert_eq!(names(&end), ["Faces", "GJK", "Skin", "Touch"]);
+        assert_says(
+            &end.text,
+            "The skin decided: the normal is that of b's leading face",
+        );
+        let bounds = &end.bounds[end.steps() - 2..];
+        for bound in bounds.iter().flatten() {
+            assert!((bound + 0.02).abs() < 1e-4, "{bounds:?}");
+        }
+        let gjk_end = dissect(&a, &b, end.phases[1].steps).text;
+        assert_says(&gjk_end, "Next is the skin");
+        let skin_end = dissect(&a, &b, end.steps() - 2).text;
+        assert_says(&skin_end, "no need for EPA");
+    }
+
+    #[test]
+    fn what_is_too_deep_for_the_skin_goes_to_epa() {
         let end = above(&CUBE, &CUBE, 0.8, usize::MAX);
-        assert_eq!(names(&end), [ROUNDED, "GJK", EPA, "Touch"]);
+        assert_eq!(names(&end), ["Faces", "GJK", "Skin", "EPA", "Touch"]);
         assert_eq!(end.bounds.len(), end.steps());
         let [low, high] = end.bounds[end.steps() - 1];
         assert!(low == high && low < -0.1, "{low} … {high}");
         let epa = end.bounds[end.steps() - 2];
         assert!((epa[0] - low).abs() < 1e-3 && (epa[1] - low).abs() < 1e-3);
+        assert_says(&end_of(&CUBE, &CUBE, 0.8, "Skin"), "even without the skin");
+        assert_says(&end.text, "EPA decided");
     }
 
     #[test]
-    fn solids_that_are_apart_need_no_epa() {
-        let end = above(&CUBE, &CUBE, 2.0, usize::MAX);
-        assert_eq!(names(&end), [ROUNDED, "GJK", "Touch"]);
-        let [low, high] = end.bounds[end.steps() - 2];
-        assert!(low > 0.3 && high - low < 1e-4, "{low} … {high}");
+    fn edges_that_cross_are_not_settled_by_the_skin() {
+        let on_edge = |p, q| Placed {
+            shape: &CUBE,
+            p,
+            q,
+            p_before: p,
+        };
+        let quarter = std::f32::consts::FRAC_PI_4;
+        let a = on_edge(
+            Vec3::new(0.0, 2.0_f32.sqrt() - 0.01, 0.0),
+            Quat::from_rotation_z(quarter),
+        );
+        let b = on_edge(Vec3::ZERO, Quat::from_rotation_x(quarter));
+        let end = dissect(&a, &b, usize::MAX);
+        assert_eq!(names(&end), ["Faces", "GJK", "Skin", "EPA", "Touch"]);
+        assert_says(
+            &end.text,
+            "EPA decided: the normal isn't the leading face's",
+        );
+        let before_epa: usize = end.phases[..3].iter().map(|phase| phase.steps).sum();
+        assert_says(
+            &dissect(&a, &b, before_epa - 1).text,
+            "another normal may do better: EPA must tell",
+        );
+    }
+
+    #[test]
+    fn solids_that_just_touch_are_taken_for_overlapping() {
+        let at = |p| Placed {
+            shape: &CUBE,
+            p,
+            q: Quat::IDENTITY,
+            p_before: p,
+        };
+        for gap in [-1e-5, 0.0, 1e-5] {
+            let end = dissect(&at(Vec3::Y * (1.0 + gap)), &at(Vec3::ZERO), usize::MAX);
+            assert_eq!(names(&end), ["Faces", "GJK", "Skin", "Touch"], "{gap}");
+            assert_says(&end.text, "The skin decided");
+        }
+    }
+
+    #[test]
+    fn a_capsules_radius_spares_the_skin() {
+        for height in [1.1, 1.2] {
+            let end = above(&CAPSULE, &CUBE, height, usize::MAX);
+            assert_eq!(names(&end), ["Faces", "GJK", "Touch"]);
+            assert_says(&end.text, "GJK decided");
+        }
+        let end = above(&CAPSULE, &CUBE, 0.2, usize::MAX);
+        assert_eq!(names(&end), ["Faces", "GJK", "Skin", "EPA", "Touch"]);
+    }
+
+    #[test]
+    fn pairs_with_a_closed_form_have_gjk_for_study() {
+        for (one, two) in [
+            (&BALL, &BALL),
+            (&BALL, &CUBE),
+            (&CUBE, &BALL),
+            (&CAPSULE, &BALL),
+            (&BALL, &CYLINDER),
+            (&CAPSULE, &CAPSULE),
+        ] {
+            let end = above(one, two, 0.65, usize::MAX);
+            assert_eq!(names(&end)[0], "GJK");
+            assert_says(&end.text, "closed form");
+            let first = above(one, two, 0.65, 0);
+            assert!(first.title.starts_with("GJK for study"), "{}", first.title);
+            assert_says(&end_of(one, two, 0.65, "GJK"), "closed form");
+        }
+    }
+
+    #[test]
+    fn a_body_that_came_through_a_floor_goes_the_way_back() {
+        let slab = Shape::Box {
+            half_extents: Vec3::new(4.0, 0.3, 4.0),
+        };
+        let p = Vec3::new(0.0, -0.2, 0.0);
+        let falling = Placed {
+            shape: &CYLINDER,
+            p,
+            q: Quat::IDENTITY,
+            p_before: Vec3::Y,
+        };
+        let floor = Placed {
+            shape: &slab,
+            p: Vec3::ZERO,
+            q: Quat::IDENTITY,
+            p_before: Vec3::ZERO,
+        };
+        let end = dissect(&falling, &floor, usize::MAX);
+        assert_says(&end.text, "The way back decided");
+    }
+
+    /// The part that decides has found the depth which the touch has.
+    #[test]
+    fn whoever_decides_agrees_with_the_touch() {
+        for one in [CUBE, CAPSULE, CYLINDER] {
+            for two in [CUBE, CYLINDER] {
+                for height in [1.6, 1.3, 1.1, 0.95, 0.7, 0.3, 0.05] {
+                    let end = above(&one, &two, height, usize::MAX);
+                    let phase = names(&end)[end.phases.len() - 2];
+                    assert_says(&end.text, &format!("{phase} decided").replace('S', "The s"));
+                    let [low, high] = end.bounds[end.steps() - 2];
+                    let found = end.bounds[end.steps() - 1][0];
+                    assert!(
+                        low - 2e-3 < found && found < high + 2e-3,
+                        "{height}: {found} not in {low} … {high}, {}",
+                        end.text
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn purple_are_exactly_the_faces_that_are_gone_next() {
+        let all = above(&CYLINDER, &CUBE, 0.5, 0);
+        let before_epa: usize = all.phases[..3].iter().map(|phase| phase.steps).sum();
+        let shown = |step| above(&CYLINDER, &CUBE, 0.5, step);
+        let opacities = |d: &Dissection| -> Vec<([Vec3; 3], f32)> {
+            let faces = d.difference.faces.iter();
+            faces
+                .map(|f| (f.corners.map(Vec3::from), f.color[3]))
+                .collect()
+        };
+        for step in before_epa..before_epa + all.phases[3].steps - 1 {
+            let (now, next) = (opacities(&shown(step)), opacities(&shown(step + 1)));
+            for (corners, opacity) in now {
+                let stays = next.iter().any(|(others, _)| *others == corners);
+                assert_eq!(stays, opacity < 0.2, "{step}");
+            }
+        }
     }
 
     #[test]
@@ -401,13 +426,20 @@ mod tests {
         assert_eq!(names(&end), ["GJK", "Touch"]);
         assert!(end.bounds[end.steps() - 1][1] < 0.0);
         let last = above(&CAPSULE, &CAPSULE, 1.3, end.steps() - 2);
-        assert!(last.text.contains("No need for EPA"), "{}", last.text);
+        assert_says(&last.text, "the solids overlap by");
         assert!(!last.core.is_empty() && !last.surface.is_empty());
     }
 
     #[test]
     fn every_iteration_has_a_title_words_and_a_drawing() {
-        for (one, two, height) in [(CUBE, CUBE, 0.8), (CAPSULE, CUBE, 0.9), (CUBE, CUBE, 3.0)] {
+        for (one, two, height) in [
+            (CUBE, CUBE, 0.8),
+            (CUBE, CUBE, 1.2),
+            (CAPSULE, CUBE, 0.9),
+            (BALL, CUBE, 0.6),
+            (CYLINDER, CYLINDER, 0.9),
+            (CUBE, CUBE, 3.0),
+        ] {
             let steps = above(&one, &two, height, 0).steps();
             for step in 0..steps {
                 let shown = above(&one, &two, height, step);
@@ -436,7 +468,7 @@ mod tests {
 
     #[test]
     fn vertices_have_the_letters_of_their_arrival() {
-        let shown = above(&CUBE, &CUBE, 0.8, 0);
+        let shown = above(&CUBE, &CUBE, 0.8, 1);
         let marks: Vec<&str> = shown
             .difference
             .marks

@@ -5,16 +5,48 @@ use ch00_scenes::{Drawing, Rgb, palette};
 use glam::Vec3;
 
 use super::Shown;
+use crate::narrow::Touch;
+use crate::narrow::epa;
+use crate::narrow::shortest_way::{ShortestWay, Side};
 use crate::narrow::simplex::Simplex;
 use crate::narrow::support_point::Vertex;
-use crate::narrow::{Touch, epa};
 
 const SIMPLEX: Rgb = palette::BLUE;
 const NEAREST: Rgb = palette::ORANGE;
 const SUPPORT: Rgb = palette::VERMILLION;
 const BOUND: Rgb = palette::GREEN;
 const POLYTOPE: Rgb = palette::GREEN;
-const SEEING: Rgb = palette::PURPLE;
+const GOING: Rgb = palette::PURPLE;
+
+/// The leading face on its solid, and the plane against its normal in front of which no difference
+/// lies.
+pub fn draw_faces(shown: &mut Shown, face: &ShortestWay, support: &Vertex) {
+    let spread = shown.spread();
+    let normal = face.normal;
+    let foot = normal * face.separation;
+    let touched = support.point - normal * shown.run.radii();
+    let difference = &mut shown.difference;
+    difference.line(Vec3::ZERO, foot, 2.5, NEAREST);
+    difference.disc(foot, normal, 0.5 * spread, BOUND, 0.16);
+    difference.ring(foot, normal, 0.5 * spread, 1.2, BOUND);
+    difference.dashes(foot, touched, 0.04 * spread, 1.2, BOUND);
+    let tip = foot - normal * (0.4 * spread);
+    difference.arrow_with_head(foot, tip, 0.09 * spread, 1.5, palette::BLUE);
+    difference.explain(BOUND, "plane: all differences lie on its one side");
+    difference.explain(NEAREST, "how far apart, or how deep, along the normal");
+    difference.explain(palette::BLUE, "against the normal");
+    difference.mark(touched, SUPPORT, "w");
+    shown.mark_bodies(support, SUPPORT, "w");
+    let (run, origin) = (shown.run, shown.origin);
+    let feature = match face.face {
+        Some(Side::A) => run.a.widest_feature(-normal),
+        _ => run.b.widest_feature(normal),
+    };
+    let mut outline: Vec<Vec3> = feature.corners().iter().map(|at| origin + *at).collect();
+    shown.world.polygon(&outline, NEAREST, 0.35);
+    outline.extend(outline.first().copied());
+    shown.world.path(&outline, 2.4, NEAREST);
+}
 
 /// GJK: simplex, its nearest point v, the support point w and the plane through it.
 pub fn draw_gjk(shown: &mut Shown, simplex: &Simplex, support: &Vertex, at_least: f32) {
@@ -62,24 +94,25 @@ pub fn draw_held(shown: &mut Shown, simplex: &Simplex) {
 }
 
 /// EPA: the polytope, its nearest face with the origin's foot on it, the support point w, and the
-/// faces that see it.
+/// faces that go with the nearest one.
 pub fn draw_polytope(
     shown: &mut Shown,
     vertices: &[Vertex],
     faces: &[epa::Face],
     nearest: usize,
     support: &Vertex,
+    gone: &[usize],
 ) {
     let size = shown.spread();
     let difference = &mut shown.difference;
-    let mut others_see = false;
+    let mut others_go = false;
     for (i, face) in faces.iter().enumerate() {
         let corners = face.corners.map(|i| vertices[usize::from(i)].point);
-        let sees = face.normal.dot(support.point) > face.distance + 1e-5 * size;
-        others_see |= sees && i != nearest;
-        let (color, opacity) = match (i == nearest, sees) {
+        let goes = gone.contains(&i);
+        others_go |= goes && i != nearest;
+        let (color, opacity) = match (i == nearest, goes) {
             (true, _) => (NEAREST, 0.55),
-            (false, true) => (SEEING, 0.28),
+            (false, true) => (GOING, 0.28),
             (false, false) => (POLYTOPE, 0.16),
         };
         difference.face(corners, color, opacity);
@@ -104,8 +137,8 @@ pub fn draw_polytope(
     difference.explain(POLYTOPE, "polytope");
     difference.explain(NEAREST, "its nearest face");
     difference.explain(SUPPORT, "w, the support point along its normal");
-    if others_see {
-        difference.explain(SEEING, "other faces that see w");
+    if others_go {
+        difference.explain(GOING, "faces that go with it");
     }
     for vertex in &corners {
         shown.mark_bodies(vertex, NEAREST, "");

@@ -325,7 +325,6 @@ impl Polytope {
     // ANCHOR_END: witnesses
 }
 
-// ANCHOR: hole
 /// Faces that go, and the edges between them and the faces that stay.
 #[derive(Clone, Debug, Default)]
 pub struct Hole {
@@ -334,6 +333,7 @@ pub struct Hole {
 }
 
 impl Hole {
+    // ANCHOR: hole
     /// Of a polytope of this extent that takes a point in: the face nearest to the origin goes,
     /// with all faces around it that see the point.
     ///
@@ -359,6 +359,7 @@ impl Hole {
         }
         hole
     }
+    // ANCHOR_END: hole
 
     /// Whether a face goes.
     #[must_use]
@@ -366,6 +367,7 @@ impl Hole {
         self.faces.contains(&face.corners)
     }
 
+    // ANCHOR: rim
     /// Adds a face. Where the face beyond one of its edges has gone before, it has left the same
     /// edge the other way round: that edge is within the hole now, and forgotten.
     fn add(&mut self, face: &Face) {
@@ -383,8 +385,8 @@ impl Hole {
         let mut edges = face.edges().into_iter();
         edges.any(|[from, to]| self.rim.contains(&[to, from]))
     }
+    // ANCHOR_END: rim
 }
-// ANCHOR_END: hole
 
 impl Face {
     /// From one corner to the next.

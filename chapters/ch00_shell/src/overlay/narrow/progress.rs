@@ -128,7 +128,9 @@ impl Chart {
             let font = FontId::proportional(11.0);
             let name = painter.layout_no_wrap(phase.name.to_owned(), font, weak);
             let size = name.size();
-            let left = (middle - 0.5 * size.x).min(self.room.max.x - size.x);
+            let left = (middle - 0.5 * size.x)
+                .min(self.room.max.x - size.x)
+                .max(self.room.min.x);
             painter.galley(pos2(left, self.room.min.y - 2.0 - size.y), name, weak);
             if first > 0 {
                 let range = self.room.y_range().expand(3.0);
