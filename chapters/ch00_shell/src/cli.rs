@@ -272,9 +272,11 @@ pub fn examples(chapter: &Chapter) -> String {
     let scene = chapter.default_scene;
     let engine = chapter.engines[0].name;
     let mut text = format!("Scenes, `{scene}` unless you say otherwise:\n");
+    let widest = chapter.scenes.iter().map(|name| name.len()).max();
+    let width = widest.unwrap_or(0).max(12);
     for name in chapter.scenes {
         let about = builtin::about(name).unwrap_or_default();
-        let _ = writeln!(text, "  {name:<12} {about}");
+        let _ = writeln!(text, "  {name:<width$} {about}");
     }
     for engine in chapter.engines {
         let (name, chapter) = (engine.name, engine.chapter);

@@ -40,6 +40,9 @@ pub struct Scaling {
     pub seeded: bool,
 }
 
+/// Where a scene that scales notes its count, in its `meta`.
+pub const COUNT: &str = "count";
+
 /// A line of the list: a scene's name, what it shows in one sentence, and how it is built.
 struct Entry {
     name: &'static str,
@@ -257,7 +260,9 @@ pub fn build(name: &str, count: Option<u64>, seed: Option<u64>) -> Result<Scene,
         Build::Scaled(scaling, build) => {
             let count = count.unwrap_or(scaling.default);
             if (scaling.least..=scaling.most).contains(&count) {
-                Ok(build(count, seed.unwrap_or(1)))
+                let mut scene = build(count, seed.unwrap_or(1));
+                scene.meta.insert(COUNT.to_owned(), count.into());
+                Ok(scene)
             } else {
                 Err(SceneError::Count {
                     scene: entry.name,

@@ -1,7 +1,8 @@
 //! What runs and how: scene, engine, method, step size, sweeps. A new scene starts from its
 //! beginning; everything else takes the state over and goes on.
 
-use ch00_scenes::{EngineEntry, Settings, builtin};
+use ch00_scenes::builtin::{self, Scaling};
+use ch00_scenes::{EngineEntry, Settings};
 
 use super::Section;
 use crate::clock::Pace;
@@ -25,8 +26,9 @@ impl Section for Setup {
             .spacing([12.0, 4.0])
             .show(ui, |ui| {
                 labelled(ui, "scene", |ui| scene(ui, stage));
-                if stage.session().scene().name == "balls" {
-                    labelled(ui, "balls", |ui| count(ui, stage));
+                let name = stage.session().scene().name.clone();
+                if let Some(scaling) = builtin::scaling(&name) {
+                    labelled(ui, scaling.counts, |ui| count(ui, stage, &name, scaling));
                 }
                 labelled(ui, "engine", |ui| engine(ui, stage));
                 labelled(ui, "method", |ui| method(ui, stage));
@@ -85,16 +87,23 @@ fn scene(ui: &mut egui::Ui, stage: &mut Stage) {
     }
 }
 
-fn count(ui: &mut egui::Ui, stage: &mut Stage) {
-    let now = stage.session().scene().dynamic_count();
-    let choices = [
-        0, 10, 20, 30, 40, 50, 60, 100, 200, 500, 1000, 2000, 5000, 10_000,
+fn count(ui: &mut egui::Ui, stage: &mut Stage, scene: &str, scaling: Scaling) {
+    let noted = stage.session().scene().meta.get(builtin::COUNT);
+    let Some(now) = noted.and_then(serde_json::Value::as_u64) else {
+        ui.weak("as in the file");
+        return;
+    };
+    let steps = [
+        0, 1, 2, 5, 8, 10, 20, 30, 40, 50, 60, 80, 100, 200, 500, 1000, 2000, 5000, 10_000,
     ];
-    let chosen = choose(ui, "count", &now, choices, usize::to_string, |_| {
+    let choices = steps
+        .into_iter()
+        .filter(|count| (scaling.least..=scaling.most).contains(count));
+    let chosen = choose(ui, "count", &now, choices, u64::to_string, |_| {
         String::new()
     });
     if let Some(count) = chosen {
-        stage.change_scene("balls", Some(count as u64));
+        stage.change_scene(scene, Some(count));
     }
 }
 
