@@ -8,7 +8,7 @@ use crate::{folder, run, run_in};
 const KEYS: &str = "scene engine method threads device n joints steps dt substeps median_ms \
     p99_ms total_s max_fps min_fps max_penetration_final_m p99_penetration_final_m \
     max_penetration_run_m max_joint_separation_final_m max_joint_separation_run_m escaped nan \
-    overflow kinetic_energy_final momentum_error";
+    overflow kinetic_energy_final momentum_error max_limit_excess_final_rad";
 
 const TEN_BALLS: [&str; 7] = [
     "--headless",

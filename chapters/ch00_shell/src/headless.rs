@@ -131,6 +131,7 @@ fn summarise(session: &Session, options: &Options, timing: Timing, worst: &Worst
         overflow: session.engine().counters().overflow,
         kinetic_energy_final: Some(last.conserved.kinetic_energy),
         momentum_error: session.history().largest_momentum_error(),
+        max_limit_excess_final_rad: last.limit_excess,
     }
 }
 

@@ -56,6 +56,8 @@ pub struct Summary {
     pub kinetic_energy_final: Option<f64>,
     /// The run's largest error of momentum, relative; none where walls or weight take it up.
     pub momentum_error: Option<f64>,
+    /// Furthest that a joint is beyond its limits after the last step, rad.
+    pub max_limit_excess_final_rad: Option<f64>,
 }
 
 /// Times of the steps alone, without drawing, writing or measuring, after the first step.
@@ -157,6 +159,11 @@ impl Summary {
                 "J",
             ),
             ("momentum error", number(self.momentum_error), ""),
+            (
+                "beyond limits, last",
+                number(self.max_limit_excess_final_rad),
+                "rad",
+            ),
         ]
     }
 }
@@ -220,6 +227,7 @@ mod tests {
             overflow: 0,
             kinetic_energy_final: Some(12.345_67),
             momentum_error: Some(f64::NAN),
+            max_limit_excess_final_rad: Some(0.5),
         }
     }
 
@@ -234,7 +242,8 @@ mod tests {
                 r#""max_penetration_final_m":0.0,"p99_penetration_final_m":0.000015,"#,
                 r#""max_penetration_run_m":null,"max_joint_separation_final_m":null,"#,
                 r#""max_joint_separation_run_m":null,"escaped":null,"nan":0,"overflow":0,"#,
-                r#""kinetic_energy_final":12.34567,"momentum_error":null}"#
+                r#""kinetic_energy_final":12.34567,"momentum_error":null,"#,
+                r#""max_limit_excess_final_rad":0.5}"#
             )
         );
     }
