@@ -29,6 +29,8 @@ pub struct CollisionEngine {
     world: Loaded,
     tree: CollisionTree,
     contacts: Vec<Contact>,
+    /// The last step, s; 0 before it.
+    last_dt: f32,
     /// Impacts that the sweeps did not get to, since loading.
     impacts_left: usize,
     times: Vec<PassTime>,
@@ -77,6 +79,7 @@ impl CollisionEngine {
             world,
             tree: CollisionTree::default(),
             contacts: Vec::new(),
+            last_dt: 0.0,
             impacts_left: 0,
             times: Vec::new(),
         })
@@ -148,6 +151,15 @@ impl CollisionEngine {
         let margins = self.margins(dt);
         self.tree
             .find_contacts(&self.world.bodies, margins, &mut self.contacts);
+        if self.last_dt > 0.0 && dt != self.last_dt {
+            // What carries a body for a longer step is a larger impulse.
+            let longer = dt / self.last_dt;
+            for contact in &mut self.contacts {
+                contact.support *= longer;
+                contact.rub *= longer;
+            }
+        }
+        self.last_dt = dt;
     }
 
     /// The report's method looks at what overlaps, and at nothing else.

@@ -134,3 +134,19 @@ fn magnets_that_meet_hold_on_to_each_other_and_lie_still() {
     }
     assert!(Measures::of(&scene, &now).penetration.deepest < 0.002);
 }
+
+#[test]
+fn a_stack_of_five_boxes_stands_through_a_hitch_every_second() {
+    let scene = open("stack", Some(5));
+    let mut engine = load(&scene);
+    let mut state = State::default();
+    // Ten hitches, and half a second to come to rest after the last.
+    for step in 1..=630 {
+        engine.step(if step % 60 == 0 { 0.1 } else { 1.0 / 60.0 });
+    }
+    engine.read_state(&mut state);
+    for (i, body) in scene.bodies.iter().enumerate().skip(1) {
+        let sunk = body.position.y - state.position[i].y;
+        assert!(sunk.abs() < 0.01, "box {i} sank {sunk} m");
+    }
+}

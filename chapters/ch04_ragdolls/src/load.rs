@@ -16,6 +16,8 @@ pub struct Assembly {
     pub ragdolls: Vec<Ragdoll>,
     /// Joints that close a loop, such as the second pin of a door, in the scene's order.
     pub loops: Vec<RigidJoint>,
+    /// The last step, s; 0 before it.
+    last_dt: f32,
 }
 // ANCHOR_END: assembly
 
@@ -106,7 +108,14 @@ impl Links for Assembly {
     }
 
     fn prepare(&mut self, dt: f32) {
-        self.joints_mut().for_each(|joint| joint.prepare(dt));
+        let longer = if self.last_dt > 0.0 {
+            dt / self.last_dt
+        } else {
+            1.0
+        };
+        self.last_dt = dt;
+        self.joints_mut()
+            .for_each(|joint| joint.prepare(dt, longer));
     }
 
     fn part(&mut self) -> f32 {

@@ -135,17 +135,17 @@ impl RigidJoint {
     }
     // ANCHOR_END: printed
 
-    /// Before contacts are resolved for a step of `dt` seconds.
-    pub fn prepare(&mut self, dt: f32) {
+    /// Before contacts are resolved for a step of `dt` seconds, that is so many times as long as the last.
+    pub fn prepare(&mut self, dt: f32, longer: f32) {
         let (parent, child) = (self.parent.borrow(), self.child.borrow());
         match &mut self.link {
             Link::Pin(pin, angle) => {
-                pin.prepare(&parent, &child, dt);
+                pin.prepare(&parent, &child, dt, longer);
                 if let Some(angle) = angle {
-                    angle.prepare(pin, &parent, &child, dt);
+                    angle.prepare(pin, &parent, &child, dt, longer);
                 }
             }
-            Link::Distance(rod) => rod.prepare(&parent, &child),
+            Link::Distance(rod) => rod.prepare(&parent, &child, longer),
         }
     }
 

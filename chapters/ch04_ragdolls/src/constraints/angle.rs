@@ -115,12 +115,21 @@ impl AngleConstraint {
 
     // ANCHOR: prepare
     /// Works out what stays the same while contacts are resolved.
-    pub fn prepare(&mut self, pin: &PinConstraint, parent: &RigidBody, child: &RigidBody, dt: f32) {
+    pub fn prepare(
+        &mut self,
+        pin: &PinConstraint,
+        parent: &RigidBody,
+        child: &RigidBody,
+        dt: f32,
+        longer: f32,
+    ) {
         let rows = self.rows(parent, child);
         for (turn, row) in self.rows.iter_mut().zip(rows) {
-            if turn.row.bound != row.bound {
-                turn.impulse = 0.0;
-            }
+            turn.impulse *= if turn.row.bound == row.bound {
+                longer
+            } else {
+                0.0
+            };
             turn.row = row;
             turn.nudged = 0.0;
             if row.bound != Bound::Free {

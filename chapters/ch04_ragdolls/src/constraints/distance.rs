@@ -93,8 +93,9 @@ impl DistanceConstraint {
     }
 
     /// Works out what stays the same while contacts are resolved.
-    pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody) {
+    pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody, longer: f32) {
         self.weigh(parent, child);
+        self.impulse *= longer;
         let v_r = relative_velocity(parent.moved(), self.t1, child.moved(), self.t2);
         self.parted = v_r.dot(self.along);
     }

@@ -128,8 +128,9 @@ impl PinConstraint {
     ///
     /// On a curved path the points part along the tangent, in the middle of the last step outwards
     /// and in the middle of the next inwards, equally fast: now, halfway between, they don't.
-    pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody, dt: f32) {
+    pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody, dt: f32, longer: f32) {
         self.weigh(parent, child);
+        self.impulse *= longer;
         let (one, two) = (parent.moved(), child.moved());
         let circling = |omega: Vec3, t: Vec3| 0.5 * dt * omega.length_squared() * t.length();
         let most = circling(one.omega, self.t1) + circling(two.omega, self.t2);
