@@ -13,7 +13,8 @@
 
 use glam::{DQuat, DVec3};
 
-use crate::{Body, Force, Pole, Scene, Shape};
+use super::parts::poles_of;
+use crate::{Body, Force, Scene, Shape};
 
 /// Strength of a pole, √(N m²): two of them at 0.5 m pull with 0.37 N.
 const STRENGTH: f64 = 0.35;
@@ -42,7 +43,9 @@ pub(super) fn build() -> Scene {
         .extend(pair(DVec3::new(1.2, 0.0, 0.0), lean, lean * DVec3::X));
     let lying = DQuat::from_rotation_z(-std::f64::consts::FRAC_PI_2);
     scene.bodies.push(bar(DVec3::new(0.0, 1.8, 0.0), lying));
-    let poles = (0..scene.bodies.len()).flat_map(poles_of).collect();
+    let poles = (0..scene.bodies.len())
+        .flat_map(|body| poles_of(body, POLE, STRENGTH))
+        .collect();
     scene.forces.push(Force::Magnets {
         poles,
         softening: SOFTENING,
@@ -76,14 +79,6 @@ fn bar(position: DVec3, orientation: DQuat) -> Body {
         orientation,
         ..Body::new(shape, 1.0, position)
     }
-}
-
-fn poles_of(body: usize) -> [Pole; 2] {
-    [1.0, -1.0].map(|end| Pole {
-        body,
-        position: DVec3::new(0.0, end * POLE, 0.0),
-        strength: end * STRENGTH,
-    })
 }
 
 #[cfg(test)]

@@ -6,8 +6,8 @@
 
 use glam::{DQuat, DVec3};
 
-use super::parts::{floor, of_one_stuff};
-use crate::{Body, Force, Pole, Scene, Shape};
+use super::parts::{floor, of_one_stuff, poles_of};
+use crate::{Body, Force, Scene, Shape};
 
 /// Strength of a pole, √(N m²): two of them at 0.5 m pull with 2.5 N.
 const STRENGTH: f64 = 0.8;
@@ -37,7 +37,9 @@ pub(super) fn build() -> Scene {
     scene.bodies = vec![floor(3.0, 3.0)];
     scene.bodies.extend((0..BARS.len()).map(bar));
     of_one_stuff(&mut scene.bodies, 0.1, 0.1);
-    let poles = (1..scene.bodies.len()).flat_map(poles_of).collect();
+    let poles = (1..scene.bodies.len())
+        .flat_map(|body| poles_of(body, POLE, STRENGTH))
+        .collect();
     scene.forces.push(Force::Magnets {
         poles,
         softening: SOFTENING,
@@ -66,14 +68,6 @@ fn bar(i: usize) -> Body {
         orientation: DQuat::from_rotation_y(turn) * lying,
         ..Body::new(shape, 1.0, DVec3::new(x, RADIUS, z))
     }
-}
-
-fn poles_of(body: usize) -> [Pole; 2] {
-    [1.0, -1.0].map(|end| Pole {
-        body,
-        position: DVec3::new(0.0, end * POLE, 0.0),
-        strength: end * STRENGTH,
-    })
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 
 use glam::{DQuat, DVec3};
 
-use crate::{Body, Shape};
+use crate::{Body, Pole, Shape};
 
 /// Half of the thickness of floors and walls, m: thick, so that little falls through.
 const HALF_THICKNESS: f64 = 0.5;
@@ -41,6 +41,15 @@ pub(super) fn of_one_stuff(bodies: &mut [Body], restitution: f64, friction: f64)
         body.restitution = restitution;
         body.friction = friction;
     }
+}
+
+/// The two poles of a bar magnet on its y axis, so far from its middle: north on its +y side, and south.
+pub(super) fn poles_of(body: usize, from_middle: f64, strength: f64) -> [Pole; 2] {
+    [1.0, -1.0].map(|end| Pole {
+        body,
+        position: DVec3::new(0.0, end * from_middle, 0.0),
+        strength: end * strength,
+    })
 }
 
 /// An inclined plane: the upper face of a static box, which falls towards +x.
