@@ -148,6 +148,21 @@ pub struct EulerLimits {
 }
 
 impl Joint {
+    /// A ball joint without limits: a point of `a` and a point of `b` that stay together, m.
+    #[must_use]
+    pub fn pin(a: usize, b: usize, anchor_a: DVec3, anchor_b: DVec3) -> Self {
+        Self::Ball {
+            a,
+            b,
+            anchor_a,
+            anchor_b,
+            cone: None,
+            twist: None,
+            limits: None,
+            rest: None,
+        }
+    }
+
     /// The two bodies that it connects.
     #[must_use]
     pub fn bodies(&self) -> (usize, usize) {

@@ -61,16 +61,7 @@ fn scene(shape: Shape, arm: f64, hung: Hung, theta: f64) -> Scene {
         },
     ];
     scene.joints = vec![match hung {
-        Hung::Pin => Joint::Ball {
-            a: 0,
-            b: 1,
-            anchor_a: DVec3::ZERO,
-            anchor_b: DVec3::Y * arm,
-            cone: None,
-            twist: None,
-            limits: None,
-            rest: None,
-        },
+        Hung::Pin => Joint::pin(0, 1, DVec3::ZERO, DVec3::Y * arm),
         Hung::Thread => Joint::Distance {
             a: 0,
             b: 1,

@@ -53,19 +53,6 @@ fn hook(position: DVec3) -> Body {
     Body::new(Shape::Box { half_extents }, 0.0, position)
 }
 
-fn pin(a: usize, b: usize, anchor_a: DVec3, anchor_b: DVec3) -> Joint {
-    Joint::Ball {
-        a,
-        b,
-        anchor_a,
-        anchor_b,
-        cone: None,
-        twist: None,
-        limits: None,
-        rest: None,
-    }
-}
-
 fn rod(length: f64, thickness: f64) -> Shape {
     let half_extents = DVec3::new(thickness, length, thickness) / 2.0;
     Shape::Box { half_extents }
@@ -90,7 +77,7 @@ fn on_a_pin(shape: Shape, arm: f64, theta: f64) -> Pendulum {
             ..Body::new(shape, 1.0, tilt * DVec3::Y * -arm)
         },
     ];
-    scene.joints = vec![pin(0, 1, DVec3::ZERO, DVec3::Y * arm)];
+    scene.joints = vec![Joint::pin(0, 1, DVec3::ZERO, DVec3::Y * arm)];
     let about_pin = shape.inertia(1.0).z + arm * arm;
     Pendulum {
         scene,
@@ -290,9 +277,12 @@ fn chain_in_first_mode() -> (Scene, f64) {
         });
         end -= 2.0 * half;
         let of_parent = if i == 0 { 0.0 } else { -0.5 * LINK };
-        scene
-            .joints
-            .push(pin(i, i + 1, DVec3::Y * of_parent, DVec3::Y * (0.5 * LINK)));
+        scene.joints.push(Joint::pin(
+            i,
+            i + 1,
+            DVec3::Y * of_parent,
+            DVec3::Y * (0.5 * LINK),
+        ));
     }
     (scene, omega)
 }

@@ -68,16 +68,8 @@ pub(super) fn build(name: &str, links: u64, start: Start) -> Scene {
 /// The pin at the upper end of body `b`, which is the lower end of the one before.
 fn pin(b: usize, shape: Shape) -> Joint {
     let to_lower_end = if b == 1 { 0.0 } else { -LINK / 2.0 };
-    Joint::Ball {
-        a: b - 1,
-        b,
-        anchor_a: DVec3::Y * to_lower_end,
-        anchor_b: DVec3::Y * shape.bounding_radius(),
-        cone: None,
-        twist: None,
-        limits: None,
-        rest: None,
-    }
+    let anchor_b = DVec3::Y * shape.bounding_radius();
+    Joint::pin(b - 1, b, DVec3::Y * to_lower_end, anchor_b)
 }
 
 #[cfg(test)]

@@ -48,16 +48,7 @@ mod tests {
     }
 
     fn ball_joint() -> Joint {
-        Joint::Ball {
-            a: 0,
-            b: 1,
-            anchor_a: DVec3::X,
-            anchor_b: -DVec3::X,
-            cone: None,
-            twist: None,
-            limits: None,
-            rest: None,
-        }
+        Joint::pin(0, 1, DVec3::X, -DVec3::X)
     }
 
     #[test]

@@ -159,16 +159,7 @@ mod tests {
 
     /// A joint without limits.
     fn free() -> Joint {
-        Joint::Ball {
-            a: 0,
-            b: 1,
-            anchor_a: DVec3::ZERO,
-            anchor_b: DVec3::ZERO,
-            cone: None,
-            twist: None,
-            limits: None,
-            rest: None,
-        }
+        Joint::pin(0, 1, DVec3::ZERO, DVec3::ZERO)
     }
 
     fn with_cone(angle: f64) -> Joint {
