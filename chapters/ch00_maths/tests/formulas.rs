@@ -112,7 +112,9 @@ fn moments_and_volumes_equal_the_integrals_over_the_solids() {
 
 #[test]
 fn exp_and_log_are_inverse_down_to_the_smallest_turns() {
-    for angle in [0.0, 1e-300, 1e-12, 1e-6, 0.01, 0.019, 0.021, 1.0, 3.0, 3.12] {
+    for angle in [
+        0.0, 1e-300, 1e-12, 1e-6, 0.01, 0.019, 0.021, 1.0, 3.0, 3.1405,
+    ] {
         let theta = DVec3::new(1.0, -2.0, 2.0) / 3.0 * angle;
         let back = rotation::log(rotation::exp(theta));
         near((back - theta).length(), 0.0, 4e-16 + 1e-14 * angle);
