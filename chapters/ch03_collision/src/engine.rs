@@ -9,8 +9,8 @@ use ch02_rigid_bodies::{Loaded, METHODS, Method, RigidBody, load_bodies};
 
 use crate::checks::{check_settings, unsupported};
 use crate::{
-    CollisionTree, Contact, Links, Margins, NoLinks, PassClock, Rules, default_sweeps, dissect,
-    layers, placed, resolve_corrected, resolve_printed,
+    CollisionTree, Contact, Links, Margins, NoLinks, PassClock, Rules, Span, default_sweeps,
+    dissect, layers, placed, resolve_corrected, resolve_printed,
 };
 
 /// Chapter 3's entry in a list of engines.
@@ -151,15 +151,6 @@ impl CollisionEngine {
         let margins = self.margins(dt);
         self.tree
             .find_contacts(&self.world.bodies, margins, &mut self.contacts);
-        if self.last_dt > 0.0 && dt != self.last_dt {
-            // What carries a body for a longer step is a larger impulse.
-            let longer = dt / self.last_dt;
-            for contact in &mut self.contacts {
-                contact.support *= longer;
-                contact.rub *= longer;
-            }
-        }
-        self.last_dt = dt;
     }
 
     /// The report's method looks at what overlaps, and at nothing else.
@@ -173,16 +164,28 @@ impl CollisionEngine {
     // ANCHOR: resolve
     /// Parts what overlaps, as the method says. The printed one knows of no links.
     pub fn resolve(&mut self, links: &mut impl Links, dt: f32) {
+        let span = self.next_span(dt);
         let bodies = &self.world.bodies;
         match self.method {
             Method::Printed => resolve_printed(bodies, &mut self.contacts),
             Method::Corrected => {
                 self.impacts_left +=
-                    resolve_corrected(bodies, &mut self.contacts, links, self.rules, dt);
+                    resolve_corrected(bodies, &mut self.contacts, links, self.rules, span);
             }
         }
     }
     // ANCHOR_END: resolve
+
+    /// A step of `dt` seconds, beside the last one.
+    fn next_span(&mut self, dt: f32) -> Span {
+        let longer = if self.last_dt > 0.0 {
+            dt / self.last_dt
+        } else {
+            1.0
+        };
+        self.last_dt = dt;
+        Span { dt, longer }
+    }
 
     /// What it does with the scene and why, and what becomes of joints.
     #[must_use]

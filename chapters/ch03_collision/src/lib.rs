@@ -24,6 +24,6 @@ pub use dissect::dissect;
 pub use engine::{CollisionEngine, ENGINE};
 pub use pass_clock::PassClock;
 pub use resolve::{
-    DEFAULT_SWEEPS, DEFAULT_SWEEPS_OF_BALLS, Links, NoLinks, Rules, default_sweeps,
+    DEFAULT_SWEEPS, DEFAULT_SWEEPS_OF_BALLS, Links, NoLinks, Rules, Span, default_sweeps,
     resolve_corrected, resolve_printed,
 };

@@ -13,6 +13,15 @@ use ch00_scenes::{Body, Scene, Shape};
 
 use crate::Margins;
 
+/// How long the step is that is resolved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// s.
+    pub dt: f32,
+    /// How many times as long as the last one. What carries a body for longer is a larger impulse.
+    pub longer: f32,
+}
+
 /// What the corrected resolution may choose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rules {

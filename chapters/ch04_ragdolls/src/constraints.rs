@@ -6,11 +6,13 @@
 //! - `prepare`, `part`, `resume`, `hold` and `finish` take part in the resolution of contacts
 //!   (chapter 3's `Links`), so that a joint and a contact on the same body agree.
 
+mod anchors;
 mod angle;
 mod distance;
 mod limits;
 mod pin;
 
+pub use anchors::{Anchors, Arms};
 pub use angle::AngleConstraint;
 pub use distance::DistanceConstraint;
 pub use limits::{AngleLimits, Bound, Row};

@@ -12,7 +12,9 @@ mod ragdoll;
 mod rigid_bone;
 mod rigid_joint;
 
-pub use constraints::{AngleConstraint, AngleLimits, DistanceConstraint, PinConstraint};
+pub use constraints::{
+    Anchors, AngleConstraint, AngleLimits, Arms, DistanceConstraint, PinConstraint,
+};
 pub use engine::{ENGINE, RagdollEngine};
 pub use load::Assembly;
 pub use ragdoll::Ragdoll;

@@ -3,10 +3,11 @@
 use ch00_scenes::{Joint, Scene};
 use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
-use ch03_collision::Links;
+use ch03_collision::{Links, Span};
 use glam::{DQuat, DVec3};
 
-use crate::{AngleLimits, JointSpec, Ragdoll, RigidBone, RigidJoint};
+use crate::ragdoll::sweep;
+use crate::{Anchors, AngleLimits, JointSpec, Ragdoll, RigidBone, RigidJoint};
 
 // ANCHOR: assembly
 /// All joints of a scene.
@@ -16,8 +17,6 @@ pub struct Assembly {
     pub ragdolls: Vec<Ragdoll>,
     /// Joints that close a loop, such as the second pin of a door, in the scene's order.
     pub loops: Vec<RigidJoint>,
-    /// The last step, s; 0 before it.
-    last_dt: f32,
 }
 // ANCHOR_END: assembly
 
@@ -59,15 +58,10 @@ impl Assembly {
 
     /// A loop needs all of its joints in the same sweep.
     fn close_loops(&mut self, sweeps: u32) {
-        for _ in 0..sweeps {
-            let mut moved = false;
-            for joint in self.joints_mut() {
-                moved |= joint.correct();
-            }
-            if !moved {
-                break;
-            }
-        }
+        sweep(sweeps, || {
+            self.joints_mut()
+                .fold(false, |moved, joint| moved | joint.correct())
+        });
     }
 
     /// The same as printed.
@@ -107,15 +101,8 @@ impl Links for Assembly {
         }
     }
 
-    fn prepare(&mut self, dt: f32) {
-        let longer = if self.last_dt > 0.0 {
-            dt / self.last_dt
-        } else {
-            1.0
-        };
-        self.last_dt = dt;
-        self.joints_mut()
-            .for_each(|joint| joint.prepare(dt, longer));
+    fn prepare(&mut self, span: Span) {
+        self.joints_mut().for_each(|joint| joint.prepare(span));
     }
 
     fn part(&mut self) -> f32 {
@@ -214,8 +201,10 @@ fn make_joint(joint: &Joint, bodies: &[Shared<RigidBody>]) -> RigidJoint {
 fn spec_of(joint: &Joint) -> JointSpec {
     let (anchor_a, anchor_b) = joint.anchors();
     let pinned = JointSpec {
-        offset_parent: anchor_a.as_vec3(),
-        offset_child: anchor_b.as_vec3(),
+        anchors: Anchors {
+            parent: anchor_a.as_vec3(),
+            child: anchor_b.as_vec3(),
+        },
         distance: None,
         limits: None,
         rest: None,

@@ -62,15 +62,10 @@ impl Ragdoll {
     // ANCHOR: update
     /// The report's `constraintUpdate`, swept at most `sweeps` times.
     pub fn constraint_update(&mut self, sweeps: u32) {
-        for _ in 0..sweeps {
-            let mut moved = false;
-            for joint in &mut self.joints {
-                moved |= joint.correct();
-            }
-            if !moved {
-                break;
-            }
-        }
+        sweep(sweeps, || {
+            let correct = |moved: bool, joint: &mut RigidJoint| moved | joint.correct();
+            self.joints.iter_mut().fold(false, correct)
+        });
     }
 
     /// The same as printed: one walk through the tree.
@@ -81,3 +76,14 @@ impl Ragdoll {
     }
     // ANCHOR_END: update
 }
+
+// ANCHOR: sweep
+/// Goes through joints again and again, at most `sweeps` times, until none was off.
+pub(crate) fn sweep(sweeps: u32, mut once: impl FnMut() -> bool) {
+    for _ in 0..sweeps {
+        if !once() {
+            break;
+        }
+    }
+}
+// ANCHOR_END: sweep

@@ -2,17 +2,16 @@
 
 use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
+use ch03_collision::Span;
 use glam::{Quat, Vec3};
 
-use crate::{AngleConstraint, AngleLimits, DistanceConstraint, PinConstraint};
+use crate::{Anchors, AngleConstraint, AngleLimits, DistanceConstraint, PinConstraint};
 
 /// What a joint is made from: plain data, lengths in metres, angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointSpec {
-    /// o₁: the point in the parent's coordinates.
-    pub offset_parent: Vec3,
-    /// o₂: the point in the child's coordinates.
-    pub offset_child: Vec3,
+    /// o₁ and o₂: where it takes hold of them.
+    pub anchors: Anchors,
     /// The distance to keep between the points; `None` pins them together.
     pub distance: Option<f32>,
     /// How far the child may turn; `None` for any way.
@@ -49,7 +48,6 @@ impl RigidJoint {
         child: (usize, Shared<RigidBody>),
         spec: JointSpec,
     ) -> Self {
-        let (o1, o2) = (spec.offset_parent, spec.offset_child);
         let rest = spec.rest.unwrap_or_else(|| {
             let (one, two) = (parent.1.borrow(), child.1.borrow());
             (one.orientation().conjugate() * two.orientation()).normalize()
@@ -60,8 +58,8 @@ impl RigidJoint {
             child: child.1,
             indices: (parent.0, child.0),
             link: match spec.distance {
-                None => Link::Pin(PinConstraint::new(o1, o2), angle),
-                Some(length) => Link::Distance(DistanceConstraint::new(o1, o2, length)),
+                None => Link::Pin(PinConstraint::new(spec.anchors), angle),
+                Some(length) => Link::Distance(DistanceConstraint::new(spec.anchors, length)),
             },
         };
         joint.finish();
@@ -93,10 +91,11 @@ impl RigidJoint {
     #[must_use]
     pub fn points(&self) -> (Vec3, Vec3) {
         let (parent, child) = (self.parent.borrow(), self.child.borrow());
-        match &self.link {
-            Link::Pin(pin, _) => pin.points(&parent, &child),
-            Link::Distance(rod) => rod.points(&parent, &child),
-        }
+        let anchors = match &self.link {
+            Link::Pin(pin, _) => pin.anchors(),
+            Link::Distance(rod) => rod.anchors(),
+        };
+        anchors.points(&parent, &child)
     }
 
     // ANCHOR: correct
@@ -135,17 +134,17 @@ impl RigidJoint {
     }
     // ANCHOR_END: printed
 
-    /// Before contacts are resolved for a step of `dt` seconds, that is so many times as long as the last.
-    pub fn prepare(&mut self, dt: f32, longer: f32) {
+    /// Before contacts are resolved for a step of this length.
+    pub fn prepare(&mut self, span: Span) {
         let (parent, child) = (self.parent.borrow(), self.child.borrow());
         match &mut self.link {
             Link::Pin(pin, angle) => {
-                pin.prepare(&parent, &child, dt, longer);
+                pin.prepare(&parent, &child, span);
                 if let Some(angle) = angle {
-                    angle.prepare(pin, &parent, &child, dt, longer);
+                    angle.prepare(pin, &parent, &child, span);
                 }
             }
-            Link::Distance(rod) => rod.prepare(&parent, &child, longer),
+            Link::Distance(rod) => rod.prepare(&parent, &child, span),
         }
     }
 

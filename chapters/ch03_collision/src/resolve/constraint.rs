@@ -5,7 +5,7 @@ use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
 use glam::Vec3;
 
-use super::Rules;
+use super::{Rules, Span};
 use crate::Contact;
 use crate::narrow::MOST_SPOTS;
 
@@ -48,8 +48,14 @@ pub struct Constraint {
 }
 
 impl Constraint {
-    /// Works out what stays the same while a step of `dt` seconds is resolved.
-    pub fn new(one: &RigidBody, two: &RigidBody, contact: &Contact, rules: Rules, dt: f32) -> Self {
+    /// Works out what stays the same while a step is resolved.
+    pub fn new(
+        one: &RigidBody,
+        two: &RigidBody,
+        contact: &Contact,
+        rules: Rules,
+        span: Span,
+    ) -> Self {
         let n = contact.normal;
         let r1 = contact.point - one.position();
         let r2 = contact.point - two.position();
@@ -59,7 +65,7 @@ impl Constraint {
         let closing = (two.acceleration() - one.acceleration()).dot(n);
         let approach = impulse::relative_velocity(one.moving(), r1, two.moving(), r2).dot(n);
         let speed = surface_speed((-approach).max(0.0), closing, contact.depth.max(0.0));
-        let slowest_impact = rules.restitution_threshold.max(1.5 * closing * dt);
+        let slowest_impact = rules.restitution_threshold.max(1.5 * closing * span.dt);
         let restitution = mixed_restitution(material_1.restitution, material_2.restitution);
         // Who bounces starts from the surface; who rests may stay a little inside.
         let slop = if restitution > 0.0 && speed > slowest_impact {
@@ -77,7 +83,7 @@ impl Constraint {
             r2,
             depth: contact.depth - slop,
             pushed: 0.0,
-            gap_speed: (-contact.depth).max(0.0) / dt,
+            gap_speed: (-contact.depth).max(0.0) / span.dt,
             closing,
             slowest_impact,
             response: response(n),
@@ -86,8 +92,8 @@ impl Constraint {
             friction: mixed_friction(material_1.friction, material_2.friction),
             static_friction: mixed_friction(material_1.static_friction, material_2.static_friction),
             impact: Vec3::ZERO,
-            support: contact.support,
-            rub: contact.rub - contact.rub.dot(n) * n,
+            support: contact.support * span.longer,
+            rub: (contact.rub - contact.rub.dot(n) * n) * span.longer,
         }
     }
 

@@ -9,7 +9,7 @@ use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
 
 use super::constraint::Constraint;
-use super::{LONGEST_SHIFT, Links, Rules};
+use super::{LONGEST_SHIFT, Links, Rules, Span};
 use crate::Contact;
 
 /// A nudge that isn't worth another sweep, m.
@@ -26,14 +26,14 @@ pub fn resolve_corrected(
     contacts: &mut [Contact],
     links: &mut impl Links,
     rules: Rules,
-    dt: f32,
+    span: Span,
 ) -> usize {
     let involved = involved(bodies.len(), contacts, links);
     for &i in &involved {
         bodies[i].borrow_mut().begin_resolving();
     }
-    let mut constraints = prepare(bodies, contacts, rules, dt);
-    links.prepare(dt);
+    let mut constraints = prepare(bodies, contacts, rules, span);
+    links.prepare(span);
     push_apart(bodies, &involved, &mut constraints, links, rules);
     for pair in constraints.chunk_by(Constraint::is_of_same_pair) {
         Constraint::pay_for_lift(pair, bodies);
@@ -68,13 +68,13 @@ fn prepare(
     bodies: &[Shared<RigidBody>],
     contacts: &[Contact],
     rules: Rules,
-    dt: f32,
+    span: Span,
 ) -> Vec<Constraint> {
     contacts
         .iter()
         .map(|contact| {
             let (one, two) = (bodies[contact.a].borrow(), bodies[contact.b].borrow());
-            Constraint::new(&one, &two, contact, rules, dt)
+            Constraint::new(&one, &two, contact, rules, span)
         })
         .collect()
 }

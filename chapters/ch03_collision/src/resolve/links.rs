@@ -1,13 +1,15 @@
 //! What holds bodies together besides contacts. This chapter has none; chapter 4's joints are.
 
+use super::Span;
+
 // ANCHOR: links
 /// Constraints that are resolved together with the contacts, in the same sweeps.
 pub trait Links {
     /// Calls `visit` with the index of every body that they hold.
     fn each_body(&self, visit: impl FnMut(usize));
 
-    /// Works out what stays the same while a step of `dt` seconds is resolved.
-    fn prepare(&mut self, dt: f32);
+    /// Works out what stays the same while a step is resolved.
+    fn prepare(&mut self, span: Span);
 
     /// Nudges the bodies to where they belong; gives how far the furthest was off, m.
     fn part(&mut self) -> f32;
@@ -29,7 +31,7 @@ pub struct NoLinks;
 impl Links for NoLinks {
     fn each_body(&self, _visit: impl FnMut(usize)) {}
 
-    fn prepare(&mut self, _dt: f32) {}
+    fn prepare(&mut self, _span: Span) {}
 
     fn part(&mut self) -> f32 {
         0.0

@@ -3,6 +3,7 @@
 
 use ch00_maths::f32::joint::turn_response;
 use ch02_rigid_bodies::RigidBody;
+use ch03_collision::Span;
 use glam::{Quat, Vec3};
 
 use super::limits::{AngleLimits, Bound, MOST_ROWS, Row};
@@ -38,13 +39,8 @@ impl AngleConstraint {
     /// Limits about the rest orientation j.
     #[must_use]
     pub fn new(rest: Quat, limits: AngleLimits) -> Self {
-        let row = Row {
-            axis: Vec3::ZERO,
-            room: f32::INFINITY,
-            bound: Bound::Free,
-        };
         let turn = LimitedTurn {
-            row,
+            row: Row::FREE,
             lever: Lever::default(),
             slack: 0.0,
             nudged: 0.0,
@@ -120,13 +116,12 @@ impl AngleConstraint {
         pin: &PinConstraint,
         parent: &RigidBody,
         child: &RigidBody,
-        dt: f32,
-        longer: f32,
+        span: Span,
     ) {
         let rows = self.rows(parent, child);
         for (turn, row) in self.rows.iter_mut().zip(rows) {
             turn.impulse *= if turn.row.bound == row.bound {
-                longer
+                span.longer
             } else {
                 0.0
             };
@@ -134,7 +129,7 @@ impl AngleConstraint {
             turn.nudged = 0.0;
             if row.bound != Bound::Free {
                 turn.lever = pin.lever(parent, child, row.axis);
-                turn.slack = row.room.max(0.0) / dt;
+                turn.slack = row.room.max(0.0) / span.dt;
             }
         }
     }

@@ -70,7 +70,8 @@ pub enum Bound {
 // ANCHOR_END: row
 
 impl Row {
-    const FREE: Self = Self {
+    /// Nothing is limited.
+    pub(super) const FREE: Self = Self {
         axis: Vec3::ZERO,
         room: f32::INFINITY,
         bound: Bound::Free,

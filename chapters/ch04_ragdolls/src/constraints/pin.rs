@@ -3,22 +3,21 @@
 use ch00_maths::f32::joint::pin_matrix;
 use ch00_maths::f32::{impulse, pin};
 use ch02_rigid_bodies::RigidBody;
+use ch03_collision::Span;
 use glam::{Mat3, Vec3};
 
+use super::anchors::{Anchors, Arms};
 use super::{LONGEST_GAP, SMALL_GAP, WIDE};
 
 // ANCHOR: pin
-/// 0 = (p₁ + t₁) − (p₂ + t₂), with t = q ∗ o.
+/// 0 = d = (p₁ + t₁) − (p₂ + t₂), with t = q ∗ o.
 pub struct PinConstraint {
-    /// o₁ and o₂, in the bodies' own coordinates, m.
-    offset_parent: Vec3,
-    offset_child: Vec3,
-    /// While contacts are resolved: t₁, t₂, the gap, and K⁻¹.
-    t1: Vec3,
-    t2: Vec3,
-    gap: Vec3,
+    /// o₁ and o₂.
+    anchors: Anchors,
+    /// t₁, t₂ and K⁻¹ as they were when the step began.
+    arms: Arms,
     yielding: Mat3,
-    /// Their relative velocity in the middle of the last step, m/s.
+    /// Relative velocity of the two points in the middle of the last step, m/s.
     parted: Vec3,
     /// What the parent received in the last step, N s: where the next begins.
     impulse: Vec3,
@@ -39,15 +38,12 @@ pub struct Lever {
 }
 
 impl PinConstraint {
-    /// Pins a point of one body to a point of another, m, each in its body's coordinates.
+    /// Pins a point of one body to a point of another.
     #[must_use]
-    pub fn new(offset_parent: Vec3, offset_child: Vec3) -> Self {
+    pub fn new(anchors: Anchors) -> Self {
         Self {
-            offset_parent,
-            offset_child,
-            t1: Vec3::ZERO,
-            t2: Vec3::ZERO,
-            gap: Vec3::ZERO,
+            anchors,
+            arms: Arms::default(),
             yielding: Mat3::ZERO,
             parted: Vec3::ZERO,
             impulse: Vec3::ZERO,
@@ -55,14 +51,11 @@ impl PinConstraint {
         }
     }
 
-    // ANCHOR: locate
-    /// t₁, t₂ and d where the bodies are now.
-    fn locate(&mut self, parent: &RigidBody, child: &RigidBody) {
-        self.t1 = parent.orientation() * self.offset_parent;
-        self.t2 = child.orientation() * self.offset_child;
-        self.gap = (parent.position() + self.t1) - (child.position() + self.t2);
+    /// The two points.
+    #[must_use]
+    pub fn anchors(&self) -> &Anchors {
+        &self.anchors
     }
-    // ANCHOR_END: locate
 
     // ANCHOR: correct
     /// Closes the gap that has opened since the last step. Says whether there was one.
@@ -71,29 +64,28 @@ impl PinConstraint {
     /// or making energy is that its force acts where the step starts from. A gap that is wide beside
     /// the arms says that the bodies have turned too far for that: then as they are now.
     pub fn correct(&mut self, parent: &mut RigidBody, child: &mut RigidBody) -> bool {
-        let (one, two) = self.points(parent, child);
-        let opened = one - two - self.left;
+        let opened = self.anchors.arms(parent, child).d - self.left;
         let gap = opened.length();
         if gap < SMALL_GAP {
             return false;
         }
-        if gap > WIDE * (self.t1.length() + self.t2.length()) {
+        if gap > WIDE * (self.arms.t1.length() + self.arms.t2.length()) {
             parent.weigh();
             child.weigh();
             self.weigh(parent, child);
         }
         let d = self.yielding * -opened;
-        parent.displace_by(self.t1, d);
-        child.displace_by(self.t2, -d);
+        parent.displace_by(self.arms.t1, d);
+        child.displace_by(self.arms.t2, -d);
         true
     }
     // ANCHOR_END: correct
 
     /// Works out where the points are and how they yield.
     fn weigh(&mut self, parent: &RigidBody, child: &RigidBody) {
-        self.locate(parent, child);
-        let k = pin_matrix(parent.answers(), self.t1, child.answers(), self.t2);
-        self.yielding = k.inverse();
+        self.arms = self.anchors.arms(parent, child);
+        let Arms { t1, t2, .. } = self.arms;
+        self.yielding = pin_matrix(parent.answers(), t1, child.answers(), t2).inverse();
     }
 
     // ANCHOR: lever
@@ -102,7 +94,7 @@ impl PinConstraint {
     #[must_use]
     pub fn lever(&self, parent: &RigidBody, child: &RigidBody, g: Vec3) -> Lever {
         let (turn_1, turn_2) = (parent.answers().moment(g), child.answers().moment(g));
-        let parting = -turn_1.cross(self.t1) - turn_2.cross(self.t2);
+        let parting = -turn_1.cross(self.arms.t1) - turn_2.cross(self.arms.t2);
         let pin = self.yielding * -parting;
         Lever {
             turn: g,
@@ -114,12 +106,12 @@ impl PinConstraint {
 
     // ANCHOR: printed
     /// The report's correction: along the gap, by one number, and with erratum 6 on the child.
-    pub fn correct_printed(&mut self, parent: &mut RigidBody, child: &mut RigidBody) {
-        self.locate(parent, child);
+    pub fn correct_printed(&self, parent: &mut RigidBody, child: &mut RigidBody) {
+        let Arms { t1, t2, d } = self.anchors.arms(parent, child);
         let (mass_1, mass_2) = (*parent.answers(), *child.answers());
-        let d = pin::correction(&mass_1, self.t1, &mass_2, self.t2, self.gap);
-        parent.displace_printed(d * mass_1.inverse_mass, mass_1.moment(self.t1.cross(d)));
-        child.displace_printed(-d * mass_2.inverse_mass, mass_2.moment(self.t2).cross(-d));
+        let d = pin::correction(&mass_1, t1, &mass_2, t2, d);
+        parent.displace_printed(d * mass_1.inverse_mass, mass_1.moment(t1.cross(d)));
+        child.displace_printed(-d * mass_2.inverse_mass, mass_2.moment(t2).cross(-d));
     }
     // ANCHOR_END: printed
 
@@ -128,13 +120,13 @@ impl PinConstraint {
     ///
     /// On a curved path the points part along the tangent, in the middle of the last step outwards
     /// and in the middle of the next inwards, equally fast: now, halfway between, they don't.
-    pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody, dt: f32, longer: f32) {
+    pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody, span: Span) {
         self.weigh(parent, child);
-        self.impulse *= longer;
+        self.impulse *= span.longer;
         let (one, two) = (parent.moved(), child.moved());
-        let circling = |omega: Vec3, t: Vec3| 0.5 * dt * omega.length_squared() * t.length();
-        let most = circling(one.omega, self.t1) + circling(two.omega, self.t2);
-        let parted = impulse::relative_velocity(one, self.t1, two, self.t2);
+        let circling = |omega: Vec3, t: Vec3| 0.5 * span.dt * omega.length_squared() * t.length();
+        let most = circling(one.omega, self.arms.t1) + circling(two.omega, self.arms.t2);
+        let parted = impulse::relative_velocity(one, self.arms.t1, two, self.arms.t2);
         self.parted = parted.clamp_length_max(most);
     }
     // ANCHOR_END: prepare
@@ -145,13 +137,11 @@ impl PinConstraint {
     /// The gap, the arms and K are those of the nudged poses: a limb that is folded in half turns
     /// further than a first order can tell.
     pub fn part(&self, parent: &mut RigidBody, child: &mut RigidBody) -> f32 {
-        let ((p1, q1), (p2, q2)) = (parent.nudged_pose(), child.nudged_pose());
-        let (t1, t2) = (q1 * self.offset_parent, q2 * self.offset_child);
-        let left = (p1 + t1) - (p2 + t2);
-        let gap = left.length();
+        let Arms { t1, t2, d } = self.anchors.nudged_arms(parent, child);
+        let gap = d.length();
         if gap >= SMALL_GAP {
             let k = pin_matrix(parent.answers(), t1, child.answers(), t2);
-            let nudge = k.inverse() * -left.clamp_length_max(LONGEST_GAP);
+            let nudge = k.inverse() * -d.clamp_length_max(LONGEST_GAP);
             parent.nudge(t1, nudge);
             child.nudge(t2, -nudge);
         }
@@ -162,17 +152,18 @@ impl PinConstraint {
     // ANCHOR: hold
     /// Begins with what held them in the last step.
     pub fn resume(&self, parent: &mut RigidBody, child: &mut RigidBody) {
-        parent.push(self.t1, self.impulse);
-        child.push(self.t2, -self.impulse);
+        parent.push(self.arms.t1, self.impulse);
+        child.push(self.arms.t2, -self.impulse);
     }
 
     /// Lets the two points move alike. Gives by how much they didn't, m/s.
     pub fn hold(&mut self, parent: &mut RigidBody, child: &mut RigidBody) -> f32 {
-        let v_r = impulse::relative_velocity(parent.moving(), self.t1, child.moving(), self.t2);
+        let v_r =
+            impulse::relative_velocity(parent.moving(), self.arms.t1, child.moving(), self.arms.t2);
         let off = v_r + self.parted;
         let change = self.yielding * -off;
-        parent.push(self.t1, change);
-        child.push(self.t2, -change);
+        parent.push(self.arms.t1, change);
+        child.push(self.arms.t2, -change);
         self.impulse += change;
         off.length()
     }
@@ -190,8 +181,8 @@ impl PinConstraint {
         child.twist(size * lever.turn);
         parent.twist(-size * lever.turn);
         let change = size * lever.pin;
-        parent.push(self.t1, change);
-        child.push(self.t2, -change);
+        parent.push(self.arms.t1, change);
+        child.push(self.arms.t2, -change);
         self.impulse += change;
     }
     // ANCHOR_END: turn
@@ -206,8 +197,8 @@ impl PinConstraint {
     ) {
         child.nudge_turn(size * lever.turn);
         parent.nudge_turn(-size * lever.turn);
-        parent.nudge(self.t1, size * lever.pin);
-        child.nudge(self.t2, -size * lever.pin);
+        parent.nudge(self.arms.t1, size * lever.pin);
+        child.nudge(self.arms.t2, -size * lever.pin);
     }
 
     /// The same at once; velocities follow.
@@ -218,27 +209,18 @@ impl PinConstraint {
         parent: &mut RigidBody,
         child: &mut RigidBody,
     ) {
-        child.displace_about(self.t2, -size * lever.pin, size * lever.turn);
-        parent.displace_about(self.t1, size * lever.pin, -size * lever.turn);
+        child.displace_about(self.arms.t2, -size * lever.pin, size * lever.turn);
+        parent.displace_about(self.arms.t1, size * lever.pin, -size * lever.turn);
     }
 
     /// Notes the gap that is left.
     pub fn finish(&mut self, parent: &RigidBody, child: &RigidBody) {
-        self.locate(parent, child);
-        self.left = self.gap;
+        self.arms = self.anchors.arms(parent, child);
+        self.left = self.arms.d;
     }
 
     /// Forgets the impulse of the last step.
     pub fn forget(&mut self) {
         self.impulse = Vec3::ZERO;
-    }
-
-    /// The two points in the world, m.
-    #[must_use]
-    pub fn points(&self, parent: &RigidBody, child: &RigidBody) -> (Vec3, Vec3) {
-        (
-            parent.position() + parent.orientation() * self.offset_parent,
-            child.position() + child.orientation() * self.offset_child,
-        )
     }
 }
