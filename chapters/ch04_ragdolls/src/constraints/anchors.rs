@@ -3,7 +3,6 @@
 use ch02_rigid_bodies::RigidBody;
 use glam::{Quat, Vec3};
 
-// ANCHOR: anchors
 /// o₁ and o₂: a point of the parent and one of the child, each in its body's own coordinates, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Anchors {
@@ -13,6 +12,7 @@ pub struct Anchors {
     pub child: Vec3,
 }
 
+// ANCHOR: anchors
 /// The arms to the two points, and the gap between these, world, m.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Arms {
