@@ -20,7 +20,9 @@ pub mod f32 {
         pub const PI: Real = std::f32::consts::PI;
     }
 
+    pub mod contact;
     pub mod drag;
+    pub mod force;
     pub mod free_rotation;
     pub mod impulse;
     pub mod inertia;
@@ -28,6 +30,7 @@ pub mod f32 {
     pub mod pin;
     pub mod rotation;
     pub mod shape;
+    pub mod spin;
     pub mod swing_twist;
     pub mod verlet;
 }
@@ -47,7 +50,9 @@ pub mod f64 {
         pub const PI: Real = std::f64::consts::PI;
     }
 
+    pub mod contact;
     pub mod drag;
+    pub mod force;
     pub mod free_rotation;
     pub mod impulse;
     pub mod inertia;
@@ -55,6 +60,37 @@ pub mod f64 {
     pub mod pin;
     pub mod rotation;
     pub mod shape;
+    pub mod spin;
     pub mod swing_twist;
     pub mod verlet;
+}
+
+impl f64::shape::Shape {
+    /// The same in single precision.
+    #[must_use]
+    pub fn single(&self) -> f32::shape::Shape {
+        use f32::shape::Shape as Single;
+        match *self {
+            Self::Sphere { radius } => Single::Sphere {
+                radius: radius as f32,
+            },
+            Self::Box { half_extents } => Single::Box {
+                half_extents: half_extents.as_vec3(),
+            },
+            Self::Capsule {
+                radius,
+                half_height,
+            } => Single::Capsule {
+                radius: radius as f32,
+                half_height: half_height as f32,
+            },
+            Self::Cylinder {
+                radius,
+                half_height,
+            } => Single::Cylinder {
+                radius: radius as f32,
+                half_height: half_height as f32,
+            },
+        }
+    }
 }

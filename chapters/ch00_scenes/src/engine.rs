@@ -6,7 +6,10 @@ use std::time::Duration;
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::{Body, Dissection, Drawing, Layer, Scene, State};
+use crate::{
+    Body, Cell, ColumnInfo, Dissection, Drawing, Edit, Layer, RemoveError, RowId, Scene, State,
+    TableError, TableInfo,
+};
 
 /// Which mathematics an engine uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -196,6 +199,10 @@ pub enum ColumnData {
     Vector(Vec<[f32; 3]>),
     /// Four numbers a row: x, y, z, w.
     Quaternion(Vec<[f32; 4]>),
+    /// Nine numbers a row, column by column.
+    Matrix(Vec<[f32; 9]>),
+    /// A whole number a row.
+    Index(Vec<u32>),
 }
 
 /// A contact of the last step.
@@ -247,6 +254,9 @@ pub struct Pull {
     pub target: DVec3,
 }
 
+/// The table that every engine has.
+pub const BODIES: &str = "bodies";
+
 /// The outcome of adding a body in mid-run.
 pub type Added = Result<usize, LoadError>;
 
@@ -267,6 +277,58 @@ pub trait Engine {
 
     /// The properties that the overlay can show, in its order.
     fn columns(&self) -> Vec<Column>;
+
+    /// The tables that the overlay can show. An engine that keeps none shows its bodies' columns.
+    fn tables(&self) -> Vec<TableInfo> {
+        let columns = self.columns();
+        vec![TableInfo {
+            name: BODIES,
+            about: "the bodies' properties, gathered from the objects",
+            rows: columns.first().map_or(0, |column| column.data.len()),
+            columns: columns.iter().map(ColumnInfo::gathered).collect(),
+        }]
+    }
+
+    /// The cells of some rows of a column, in the order of `rows`.
+    ///
+    /// # Errors
+    /// [`TableError`] where there is no such table or column, or the plan left it out.
+    fn cells(&self, table: &str, column: &str, rows: &[usize]) -> Result<ColumnData, TableError> {
+        if table != BODIES {
+            return Err(TableError::unknown_table(table, [BODIES]));
+        }
+        let columns = self.columns();
+        let found = columns.iter().find(|known| known.name == column);
+        found.map(|found| found.data.of_rows(rows)).ok_or_else(|| {
+            TableError::unknown_column(table, column, columns.iter().map(|column| column.name))
+        })
+    }
+
+    /// The IDs of some rows of a table, in the order of `rows`; rows that there aren't give none.
+    fn row_ids(&self, _table: &str, rows: &[usize]) -> Vec<RowId> {
+        rows.iter().map(|&row| RowId::first(row as u32)).collect()
+    }
+
+    /// Where the row with this ID is now; None once it is gone.
+    fn row_of(&self, table: &str, id: RowId) -> Option<usize> {
+        let row = id.slot as usize;
+        let tables = self.tables();
+        let rows = tables.iter().find(|known| known.name == table)?.rows;
+        (row < rows && id.generation == 0).then_some(row)
+    }
+
+    /// Gives a cell another value; gives the value that it had.
+    ///
+    /// # Errors
+    /// [`TableError`] where there is no such cell, or it can't take the value; nothing has changed
+    /// then.
+    fn edit(&mut self, edit: &Edit) -> Result<Cell, TableError> {
+        Err(TableError::NotEditable {
+            table: edit.table.clone(),
+            column: edit.column.clone(),
+            why: "this engine keeps no columns".to_owned(),
+        })
+    }
 
     /// The contacts of the last step.
     fn contacts(&self) -> Vec<ContactPoint> {
@@ -314,6 +376,17 @@ pub trait Engine {
     /// # Errors
     /// [`LoadError::Unsupported`] where the engine can't.
     fn add_body(&mut self, body: &Body, dt: f32) -> Added;
+
+    /// Removes a body in mid-run; those after it move up by one.
+    ///
+    /// # Errors
+    /// [`RemoveError`] where the engine can't, or a joint or force holds the body; nothing has changed
+    /// then.
+    fn remove_body(&mut self, _body: usize) -> Result<(), RemoveError> {
+        Err(RemoveError::Unsupported {
+            engine: self.info().engine,
+        })
+    }
 
     /// Pulls a body from now on, or lets go.
     fn pull(&mut self, pull: Option<Pull>);

@@ -43,4 +43,7 @@ impl Chapter {
 
 /// Which chapter to turn to for an engine that a chapter's own program doesn't have. A
 /// chapter that brings an engine adds its line.
-const ENGINES_ELSEWHERE: &[(&str, &str)] = &[("objects", "ch04_ragdolls")];
+const ENGINES_ELSEWHERE: &[(&str, &str)] = &[
+    ("objects", "ch04_ragdolls"),
+    ("properties", "ch05_properties"),
+];

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use ch00_scenes::{LoadError, SceneError};
+use ch00_scenes::{LoadError, RemoveError, SceneError, TableError};
 use thiserror::Error;
 
 /// Everything that ends a chapter's program with exit status 1.
@@ -14,6 +14,12 @@ pub enum ShellError {
     /// The engine can't take the scene or the settings.
     #[error(transparent)]
     Load(#[from] LoadError),
+    /// The body can't be removed.
+    #[error(transparent)]
+    Remove(#[from] RemoveError),
+    /// The cell can't be read or changed.
+    #[error(transparent)]
+    Table(#[from] TableError),
     /// The chapter's program has no such engine.
     #[error("engine `{name}` is not in this chapter's list ({chapter} has: {known}){}", elsewhere.map(|other| format!("; {other} is the chapter that has it")).unwrap_or_default())]
     Engine {

@@ -97,9 +97,14 @@ impl History {
         self.largest_momentum_error = larger(self.largest_momentum_error, sample.momentum_error);
     }
 
-    /// Moves the start by what came from outside: the change from `before` to `after`.
+    /// Moves the start by what came from outside: the change from `before` to `after`. From sums
+    /// that are no numbers there is no way back: the start is then what is now.
     pub(crate) fn forgive(&mut self, before: &Conserved, after: &Conserved) {
         let start = &mut self.reference.start;
+        if !is_finite(before) {
+            *start = *after;
+            return;
+        }
         start.kinetic_energy += after.kinetic_energy - before.kinetic_energy;
         start.potential_energy += after.potential_energy - before.potential_energy;
         start.momentum += after.momentum - before.momentum;
@@ -107,6 +112,12 @@ impl History {
         start.momentum_sum += after.momentum_sum - before.momentum_sum;
         start.angular_momentum_sum += after.angular_momentum_sum - before.angular_momentum_sum;
     }
+}
+
+fn is_finite(sums: &Conserved) -> bool {
+    let energies = [sums.kinetic_energy, sums.potential_energy];
+    let sizes = [sums.momentum_sum, sums.angular_momentum_sum];
+    energies.iter().chain(&sizes).all(|sum| sum.is_finite())
 }
 
 /// The larger of two values that may be absent; an error that is not a number is the
@@ -162,6 +173,19 @@ mod tests {
         history.record(&scene, &state, 1.0);
         let error = history.samples()[1].energy_error.expect("energy is kept");
         assert!(error.abs() < 1e-12, "{error}");
+    }
+
+    #[test]
+    fn from_what_is_no_number_the_errors_begin_anew() {
+        let scene = pair();
+        let mut history = History::new(&scene);
+        let mut state = State::start_of(&scene);
+        state.linear_velocity[0].x = f64::NAN;
+        let before = Conserved::of(&scene, &state);
+        state.linear_velocity[0].x = 3.0;
+        history.forgive(&before, &Conserved::of(&scene, &state));
+        history.record(&scene, &state, 1.0);
+        assert_eq!(history.samples()[1].energy_error, Some(0.0));
     }
 
     #[test]

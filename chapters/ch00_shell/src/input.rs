@@ -77,6 +77,7 @@ impl Input {
         let key = event.logical_key.as_ref();
         if self.modifiers.control_key() {
             self.wants_to_quit |= matches!(key, Key::Character("q" | "Q"));
+            act_with_control(stage, &key, self.modifiers.shift_key());
             return;
         }
         // Only stepping goes on while a key is held.
@@ -145,6 +146,15 @@ fn pulling(stage: &Stage) -> Drag {
     })
 }
 
+/// What a key does that is pressed with Ctrl. A held key goes on.
+fn act_with_control(stage: &mut Stage, key: &Key<&str>, has_shift: bool) {
+    match key {
+        Key::Character("z" | "Z") if !has_shift => stage.undo(),
+        Key::Character("z" | "Z" | "y" | "Y") => stage.redo(),
+        _ => {}
+    }
+}
+
 /// What a key without modifiers does.
 fn act(stage: &mut Stage, key: &Key<&str>) {
     match key {
@@ -159,6 +169,7 @@ fn act(stage: &mut Stage, key: &Key<&str>) {
         Key::Character("c" | "C") => stage.move_camera_home(),
         Key::Character("g" | "G") => stage.toggle_pair(),
         Key::Character("b" | "B") => stage.move_camera_near(),
+        Key::Named(NamedKey::Delete) => stage.remove_picked(),
         Key::Named(NamedKey::ArrowLeft) => stage.move_step(-1),
         Key::Named(NamedKey::ArrowRight) => stage.move_step(1),
         Key::Named(NamedKey::Home) => stage.move_step(isize::MIN),
@@ -192,7 +203,40 @@ fn notches(delta: MouseScrollDelta) -> f32 {
 
 #[cfg(test)]
 mod tests {
+    use ch00_scenes::{BODIES, Cell, Edit, RowId};
+
     use super::*;
+    use crate::clock::Pace;
+    use crate::show::Show;
+    use crate::test_engine::{CHAPTER, balls};
+
+    #[test]
+    fn delete_removes_the_picked_body() {
+        let mut stage = Stage::new(CHAPTER, balls(2), Pace::Fixed, Show::default());
+        stage.picked = Some(0);
+        act(&mut stage, &Key::Named(NamedKey::Delete));
+        assert_eq!(stage.session().scene().bodies.len(), 1);
+    }
+
+    #[test]
+    fn control_with_z_undoes_and_with_shift_or_y_redoes() {
+        let mut stage = Stage::new(CHAPTER, balls(1), Pace::Fixed, Show::default());
+        stage.toggle_pause();
+        let edit = Edit {
+            table: BODIES.to_owned(),
+            column: "position".to_owned(),
+            row: RowId::first(0),
+            value: Cell::Vector([0.0, 20.0, 0.0]),
+        };
+        stage.edit(edit).expect("it is paused");
+        let mut press = |key, has_shift| {
+            act_with_control(&mut stage, &Key::Character(key), has_shift);
+            stage.session().state_now().position[0].y
+        };
+        assert_eq!((press("z", false), press("Z", true)), (10.0, 20.0));
+        assert_eq!((press("z", false), press("y", false)), (10.0, 20.0));
+        assert_eq!(press("x", false), 20.0);
+    }
 
     #[test]
     fn digits_are_layers_in_the_order_of_the_list() {

@@ -8,6 +8,7 @@ mod camera;
 mod chapter;
 pub mod cli;
 pub mod clock;
+mod edits;
 mod error;
 pub mod frame_rate;
 mod gpu;
@@ -25,6 +26,7 @@ mod stage;
 mod state_file;
 pub mod summary;
 mod surface;
+mod tables;
 #[cfg(test)]
 mod test_engine;
 mod throw;

@@ -2,21 +2,26 @@
 //! is paused, picked, pulled and drawn. Keys, mouse and overlay all act through this one
 //! type, and it knows none of them.
 
+mod editing;
+mod following;
+mod hands;
 mod looking;
 
 use std::time::Duration;
 
 use ch00_scenes::{EngineEntry, Pull, Scene, Settings};
-use glam::{DVec3, Vec2};
+use glam::Vec2;
 
 use crate::camera::{Camera, Ray, Viewport};
 use crate::clock::{Clock, Pace};
+use crate::edits::Edits;
 use crate::frame_rate::FrameRate;
-use crate::picking::{Hit, pick};
 use crate::render::{Surroundings, Theme};
 use crate::show::Show;
-use crate::throw::thrown_ball;
 use crate::{Chapter, Session, ShellError};
+
+pub use editing::PAUSE_FIRST;
+pub use following::Followed;
 
 /// A session in a window.
 pub struct Stage {
@@ -46,6 +51,10 @@ pub struct Stage {
     /// The body that was clicked last.
     pub picked: Option<usize>,
     pull: Option<Pull>,
+    /// The row that table and camera stay with.
+    followed: Option<Followed>,
+    /// What was changed by hand, to be undone.
+    edits: Edits,
     thrown: u32,
     surroundings: Surroundings,
     /// How often the surroundings have changed.
@@ -81,6 +90,8 @@ impl Stage {
             shows_overlay: true,
             picked: None,
             pull: None,
+            followed: None,
+            edits: Edits::default(),
             thrown: 0,
             generation: 0,
             notice: None,
@@ -124,16 +135,22 @@ impl Stage {
         (&self.surroundings, self.generation)
     }
 
+    /// A number pair that changes whenever rows of the engine's tables may have.
+    #[must_use]
+    pub fn revision(&self) -> (u32, u64) {
+        (self.generation, self.session.revision())
+    }
+
     /// A frame that begins `elapsed` seconds after the last one.
     pub fn advance(&mut self, elapsed: f64) {
-        if self.is_paused {
-            return;
+        if !self.is_paused {
+            let frame = self.clock.frame(elapsed, self.session.dt());
+            for _ in 0..frame.steps {
+                self.session.step_by(frame.dt);
+            }
+            self.alpha = frame.alpha;
         }
-        let frame = self.clock.frame(elapsed, self.session.dt());
-        for _ in 0..frame.steps {
-            self.session.step_by(frame.dt);
-        }
-        self.alpha = frame.alpha;
+        self.keep_following();
     }
 
     /// Stops time, or lets it go on.
@@ -152,7 +169,13 @@ impl Stage {
     /// Starts the scene again.
     pub fn reset(&mut self) {
         self.let_go();
+        let body = self.followed_body();
         let outcome = self.session.reset();
+        if outcome.is_ok() {
+            self.name_as_loaded();
+            self.follow_body(body.map(|body| self.surroundings.number(body)));
+            self.look_around();
+        }
         self.report(outcome.map_err(ShellError::from));
         self.after_restart();
     }
@@ -181,9 +204,9 @@ impl Stage {
                 self.picked = None;
                 self.show.pair = None;
                 self.pull = None;
+                self.followed = None;
                 self.notice = None;
-                self.surroundings = Surroundings::of(self.session.scene());
-                self.generation += 1;
+                self.look_around();
                 self.move_camera_home();
                 self.after_restart();
             }
@@ -216,7 +239,12 @@ impl Stage {
     /// Goes on from the same state with another engine or other settings.
     pub fn change_engine(&mut self, entry: EngineEntry, settings: Settings) {
         self.let_go();
+        let body = self.followed_body();
         let outcome = self.session.change_engine(entry, settings);
+        if outcome.is_ok() {
+            self.edits.clear();
+            self.follow_body(body);
+        }
         self.report(outcome.map_err(ShellError::from));
         self.show.keep_possible(&self.session);
     }
@@ -256,60 +284,24 @@ impl Stage {
         self.camera.ray(self.viewport, pixel)
     }
 
-    /// Throws a ball along the line of sight, from before the scene into its middle.
-    pub fn throw_ball(&mut self) {
-        let sight = self.sight(self.viewport.origin + 0.5 * self.viewport.size);
-        let ball = thrown_ball(self.session.scene(), &self.surroundings, sight, self.thrown);
-        self.thrown += 1;
-        let outcome = self.session.add_body(ball);
-        self.report(outcome.map(drop).map_err(ShellError::from));
-    }
-
-    /// The body under a line of sight, and how far away.
-    #[must_use]
-    pub fn under(&self, sight: Ray) -> Option<Hit> {
-        pick(&self.session, self.alpha(), &self.surroundings, sight)
-    }
-
-    /// Picks the body under a line of sight and takes hold of it; whether there is one that
-    /// can move.
-    pub fn grab(&mut self, sight: Ray) -> bool {
-        let moves = |hit: &Hit| !self.session.scene().bodies[hit.body].is_static();
-        let Some(Hit { body, distance }) = self.under(sight).filter(moves) else {
-            return false;
-        };
-        self.picked = Some(body);
-        let point = sight.at(distance).as_dvec3();
-        let (position, orientation) = self.session.pose(body, self.alpha());
-        self.set_pull(Some(Pull {
-            body,
-            anchor: orientation.inverse() * (point - position),
-            target: point,
-        }));
-        true
-    }
-
-    /// Moves the end of the mouse's spring.
-    pub fn pull_to(&mut self, target: DVec3) {
-        if let Some(pull) = self.pull {
-            self.set_pull(Some(Pull { target, ..pull }));
+    /// Names picked bodies as the scene does that is there again, with those that were removed.
+    fn name_as_loaded(&mut self) {
+        let around = &self.surroundings;
+        self.picked = self.picked.map(|body| around.number(body));
+        if let Some(pair) = &mut self.show.pair {
+            pair.bodies = pair.bodies.map(|body| around.number(body));
         }
     }
 
-    /// Lets go of the body.
-    pub fn let_go(&mut self) {
-        if self.pull.is_some() {
-            self.set_pull(None);
-        }
-    }
-
-    fn set_pull(&mut self, pull: Option<Pull>) {
-        self.pull = pull;
-        self.session.pull(pull);
+    /// Looks at the scene as it starts.
+    fn look_around(&mut self) {
+        self.surroundings = Surroundings::of(self.session.scene());
+        self.generation += 1;
     }
 
     fn after_restart(&mut self) {
         self.clock.restart();
+        self.edits.clear();
         self.alpha = 1.0;
         let count = self.session.scene().bodies.len();
         self.picked = self.picked.filter(|&i| i < count);
@@ -323,24 +315,13 @@ impl Stage {
 
 #[cfg(test)]
 mod tests {
-    use glam::Vec3;
-
     use super::*;
     use crate::test_engine::{CHAPTER, FALLING};
 
-    fn stage() -> Stage {
+    pub(super) fn stage() -> Stage {
         let scene = Scene::open("pair", None, None).expect("`pair` is built in");
         let session = Session::new(scene, FALLING, Settings::defaults()).expect("it can fall");
         Stage::new(CHAPTER, session, Pace::Fixed, Show::default())
-    }
-
-    /// A line of sight at the first body.
-    fn sight(stage: &Stage) -> Ray {
-        let position = stage.session().state_now().position[0].as_vec3();
-        Ray {
-            origin: position + 10.0 * Vec3::Y,
-            direction: Vec3::NEG_Y,
-        }
     }
 
     #[test]
@@ -352,32 +333,6 @@ mod tests {
         stage.step_once();
         assert_eq!(stage.session().steps(), 1);
         assert!(stage.is_paused);
-    }
-
-    #[test]
-    fn resetting_takes_thrown_balls_away() {
-        let mut stage = stage();
-        let before = stage.session().scene().bodies.len();
-        stage.throw_ball();
-        stage.throw_ball();
-        assert_eq!(stage.session().scene().bodies.len(), before + 2);
-        stage.reset();
-        assert_eq!(stage.session().scene().bodies.len(), before);
-        assert_eq!(stage.notice, None);
-    }
-
-    #[test]
-    fn a_grabbed_body_is_held_where_it_was_clicked() {
-        let mut stage = stage();
-        let sight = sight(&stage);
-        assert!(stage.grab(sight));
-        let pull = *stage.pulled().expect("it was grabbed");
-        let (position, orientation) = stage.session().pose(pull.body, 1.0);
-        let held = position + orientation * pull.anchor;
-        assert!(held.distance(pull.target) < 1e-5);
-        stage.let_go();
-        assert!(stage.pulled().is_none());
-        assert_eq!(stage.picked, Some(0));
     }
 
     #[test]

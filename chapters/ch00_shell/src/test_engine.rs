@@ -1,15 +1,21 @@
 //! An engine for the shell's own tests: points that fall freely, each step exact.
 //!
 //! p += v Δt + ½ g Δt², v += g Δt. The method `heavy` falls twice as fast, so that tests see
-//! a change of engine.
+//! a change of engine, and removes no bodies, so that they see a refusal.
+
+mod tables;
 
 use ch00_scenes::{
-    Added, Body, Column, ColumnData, Engine, EngineEntry, EngineInfo, LoadError, Method, Pull,
-    Scene, Settings, State,
+    Added, Body, Cell, Column, ColumnData, Edit, Engine, EngineEntry, EngineInfo, LoadError,
+    Method, Pull, RemoveError, RowId, Scene, Settings, Shape, State, TableError, TableInfo,
 };
-use glam::{DQuat, Vec3};
+use glam::{DQuat, DVec3, Vec3};
 
+use crate::Session;
 use crate::chapter::Chapter;
+use tables::Ids;
+
+pub(crate) use tables::{FARTHEST, PAIRS};
 
 /// The only engine of [`CHAPTER`].
 pub(crate) const FALLING: EngineEntry = EngineEntry {
@@ -41,9 +47,30 @@ pub(crate) const CHAPTER: Chapter = Chapter {
 /// Most bodies that the engine takes, so that tests see a refusal.
 pub(crate) const MOST_BODIES: usize = 20_000;
 
+/// A ball, 10 m up and so far to the side.
+pub(crate) fn ball(across: f64) -> Body {
+    let shape = Shape::Sphere { radius: 0.1 };
+    Body::new(shape, 1.0, DVec3::new(across, 10.0, 0.0))
+}
+
+/// So many balls at rest, 10 m up, a metre apart; gravity is 8 m/s², a step ¼ s.
+pub(crate) fn scene_of_balls(count: usize) -> Scene {
+    let mut scene = Scene::new("balls in a row");
+    scene.gravity = DVec3::new(0.0, -8.0, 0.0);
+    scene.dt = 0.25;
+    scene.bodies = (0..count).map(|i| ball(i as f64)).collect();
+    scene
+}
+
+/// These balls, about to fall.
+pub(crate) fn balls(count: usize) -> Session {
+    Session::new(scene_of_balls(count), FALLING, Settings::defaults()).expect("they can fall")
+}
+
 struct Falling {
     method: &'static str,
     gravity: Vec3,
+    ids: Ids,
     moves: Vec<bool>,
     position: Vec<Vec3>,
     velocity: Vec<Vec3>,
@@ -55,6 +82,7 @@ fn load(scene: &Scene, settings: &Settings) -> Result<Box<dyn Engine>, LoadError
     let mut engine = Falling {
         method,
         gravity: scene.gravity.as_vec3() * scale,
+        ids: Ids::default(),
         moves: Vec::new(),
         position: Vec::new(),
         velocity: Vec::new(),
@@ -92,7 +120,7 @@ impl Engine for Falling {
         state.clear();
         for (position, velocity) in self.position.iter().zip(&self.velocity) {
             let (position, velocity) = (position.as_dvec3(), velocity.as_dvec3());
-            state.push(position, DQuat::IDENTITY, velocity, glam::DVec3::ZERO);
+            state.push(position, DQuat::IDENTITY, velocity, DVec3::ZERO);
         }
     }
 
@@ -102,12 +130,27 @@ impl Engine for Falling {
     }
 
     fn columns(&self) -> Vec<Column> {
-        vec![Column {
-            name: "position",
-            unit: "m",
-            about: "Where the point is.",
-            data: ColumnData::Vector(self.position.iter().map(Vec3::to_array).collect()),
-        }]
+        Vec::new()
+    }
+
+    fn tables(&self) -> Vec<TableInfo> {
+        self.table_infos()
+    }
+
+    fn cells(&self, table: &str, column: &str, rows: &[usize]) -> Result<ColumnData, TableError> {
+        self.cells_of(table, column, rows)
+    }
+
+    fn row_ids(&self, table: &str, rows: &[usize]) -> Vec<RowId> {
+        self.ids_of(table, rows)
+    }
+
+    fn row_of(&self, table: &str, id: RowId) -> Option<usize> {
+        self.row_with(table, id)
+    }
+
+    fn edit(&mut self, edit: &Edit) -> Result<Cell, TableError> {
+        self.change(edit)
     }
 
     fn explain(&self) -> String {
@@ -124,10 +167,23 @@ impl Engine for Falling {
                 index: None,
             });
         }
+        self.ids.add();
         self.moves.push(!body.is_static());
         self.position.push(body.position.as_vec3());
         self.velocity.push(body.linear_velocity.as_vec3());
         Ok(self.position.len() - 1)
+    }
+
+    fn remove_body(&mut self, body: usize) -> Result<(), RemoveError> {
+        if self.method == "heavy" {
+            let engine = FALLING.name;
+            return Err(RemoveError::Unsupported { engine });
+        }
+        self.ids.remove(body);
+        self.moves.remove(body);
+        self.position.remove(body);
+        self.velocity.remove(body);
+        Ok(())
     }
 
     fn pull(&mut self, _pull: Option<Pull>) {}

@@ -1,6 +1,7 @@
 //! Forces and torques as callbacks: functions that are asked, every step, what they do to a body
 //! where it is now. Report 8.1, first footnote.
 
+use ch00_maths::f32::force;
 use ch01_hierarchy::Shared;
 use glam::{Quat, Vec3};
 
@@ -74,11 +75,7 @@ fn pole_force(own: &Pole, other: &Pole, softening: f32) -> impl Fn(&Feel) -> Vec
         let other = other.borrow();
         let between =
             feel.p + feel.q * place - (other.position() + other.orientation() * other_place);
-        let squared = between.length_squared();
-        if squared == 0.0 {
-            return Vec3::ZERO;
-        }
-        between * (strength / ((squared + softening * softening) * squared.sqrt()))
+        force::pole(between, strength, softening)
     }
 }
 // ANCHOR_END: pole_force

@@ -3,6 +3,7 @@
 //! With the moments of inertia about that point, I + m(|s|² − s sᵀ), Euler's equations hold
 //! as they do about the centre, and gravity becomes the torque (q ∗ s) × m g. (Scenario 8.)
 
+use ch00_maths::f32::inertia::about_point;
 use glam::Vec3;
 
 /// The fixed point.
@@ -20,11 +21,7 @@ impl FixedPoint {
     /// that is unless it lies along one of the body's axes.
     #[must_use]
     pub fn moments(&self, inertia: Vec3, mass: f32) -> Option<Vec3> {
-        let s = self.arm;
-        let mixed = s.x * s.y != 0.0 || s.y * s.z != 0.0 || s.z * s.x != 0.0;
-        let squares = s * s;
-        let added = Vec3::splat(squares.element_sum()) - squares;
-        (!mixed).then_some(inertia + mass * added)
+        about_point(inertia, mass, self.arm)
     }
     // ANCHOR_END: moments
 }

@@ -1,10 +1,8 @@
 //! From a scene to a level full of rigid bodies, with the forces that the scene names.
 
 use ch00_maths::f32::impulse::Velocity;
-use ch00_maths::f32::shape::Shape;
 use ch00_scenes::{Body, EngineEntry, Force, LoadError, Scene};
 use ch01_hierarchy::{Level, Shared, Transform};
-use glam::Vec3;
 
 use crate::{FixedPoint, Material, Method, RigidBody, add_magnets};
 
@@ -52,7 +50,7 @@ impl Loaded {
         let mut object = RigidBody::new(
             node,
             method,
-            single(&body.shape),
+            body.shape.single(),
             body.mass as f32,
             Material {
                 restitution: body.restitution as f32,
@@ -128,36 +126,5 @@ pub(crate) fn unsupported(
         scene: scene.name.clone(),
         what,
         index,
-    }
-}
-
-/// The scene's shape in the engine's precision.
-fn single(shape: &ch00_scenes::Shape) -> Shape {
-    use ch00_scenes::Shape as Double;
-    match *shape {
-        Double::Sphere { radius } => Shape::Sphere {
-            radius: radius as f32,
-        },
-        Double::Box { half_extents } => Shape::Box {
-            half_extents: Vec3::new(
-                half_extents.x as f32,
-                half_extents.y as f32,
-                half_extents.z as f32,
-            ),
-        },
-        Double::Capsule {
-            radius,
-            half_height,
-        } => Shape::Capsule {
-            radius: radius as f32,
-            half_height: half_height as f32,
-        },
-        Double::Cylinder {
-            radius,
-            half_height,
-        } => Shape::Cylinder {
-            radius: radius as f32,
-            half_height: half_height as f32,
-        },
     }
 }

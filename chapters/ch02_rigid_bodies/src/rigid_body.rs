@@ -6,7 +6,7 @@
 
 use ch00_maths::f32::impulse::{Mass, Velocity};
 use ch00_maths::f32::shape::Shape;
-use ch00_maths::f32::{drag, free_rotation, rotation, verlet};
+use ch00_maths::f32::{drag, rotation, spin, verlet};
 use ch01_hierarchy::{GameObject, NodeId, SceneGraph, Transform};
 use glam::{Quat, Vec3};
 
@@ -228,8 +228,8 @@ impl RigidBody {
             dt,
             self.dt_last,
         );
-        let kick = self.torque * (0.5 * (dt + self.dt_last));
-        let momentum = self.angular_momentum_of_last_turn() * kept + kick;
+        let momentum = self.angular_momentum_of_last_turn();
+        let momentum = spin::momentum_after(momentum, self.torque, kept, dt, self.dt_last);
         (self.p + moved, self.turned_by(momentum, dt))
     }
     // ANCHOR_END: corrected
@@ -237,11 +237,7 @@ impl RigidBody {
     // ANCHOR: turned_by
     /// The attitude `dt` later with this angular momentum, kg m²/s, world axes.
     fn turned_by(&self, momentum: Vec3, dt: f32) -> Quat {
-        if self.is_round() {
-            rotation::turned(self.q, momentum * (self.inverse_inertia.x * dt))
-        } else {
-            free_rotation::attitude_after(self.q, self.inertia, momentum, dt)
-        }
+        spin::turned_by(self.q, self.inertia, self.inverse_inertia, momentum, dt)
     }
 
     /// The angular momentum with which it turned from q* to q, kg m²/s, world axes.
@@ -256,19 +252,12 @@ impl RigidBody {
 
     /// The same, or `None` where the turn is too near half a revolution to be read.
     fn read_angular_momentum(&self) -> Option<Vec3> {
-        if self.is_round() {
-            return Some(self.angular_momentum_if_steady());
-        }
-        free_rotation::momentum_of_turn(self.q_last, self.q, self.inertia, self.dt_last)
+        spin::momentum_of_turn(self.q, self.q_last, self.inertia, self.dt_last)
     }
 
     /// I ω, as if ω had been constant during the turn: exact for a ball.
     fn angular_momentum_if_steady(&self) -> Vec3 {
-        let omega = rotation::angular_velocity(self.q, self.q_last, self.dt_last);
-        if self.is_round() {
-            return omega * self.inertia.x;
-        }
-        self.q * ((self.q.conjugate() * omega) * self.inertia)
+        spin::momentum_if_steady(self.q, self.q_last, self.inertia, self.dt_last)
     }
 
     // ANCHOR: printed
@@ -276,8 +265,8 @@ impl RigidBody {
     fn next_pose_printed(&mut self, dt: f32) -> (Vec3, Quat) {
         let f = drag::printed::kept(self.drag, dt);
         let moved = verlet::printed::displacement(self.p, self.p_last, self.acceleration, f, dt);
-        let turned = rotation::log((self.q * self.q_last.conjugate()).normalize()) * f
-            + rotation::moment(self.q, self.inverse_inertia, self.torque) * (dt * dt);
+        let (q, q_last) = (self.q, self.q_last);
+        let turned = spin::printed::turn(q, q_last, self.inverse_inertia, self.torque, f, dt);
         (self.p + moved, rotation::printed::turned(self.q, turned))
     }
     // ANCHOR_END: printed
@@ -309,11 +298,7 @@ impl RigidBody {
             .read_angular_momentum()
             .unwrap_or_else(|| self.angular_momentum_if_steady())
             + self.torque * (0.5 * self.dt_last);
-        let omega = if self.is_round() {
-            momentum * self.inverse_inertia.x
-        } else {
-            rotation::moment(self.q, self.inverse_inertia, momentum)
-        };
+        let omega = spin::angular_velocity(self.q, self.inertia, self.inverse_inertia, momentum);
         let v = match self.fixed_point {
             Some(held) => omega.cross(self.q * held.arm),
             None => verlet::velocity_now(self.p, self.p_last, self.acceleration, self.dt_last),
@@ -347,8 +332,14 @@ impl RigidBody {
             }
             Method::Corrected => {
                 self.p_last = verlet::last_position(self.p, velocity.v, self.acceleration, dt);
-                let momentum = self.angular_momentum_of(velocity.omega) - self.torque * (0.5 * dt);
-                self.q_last = self.turned_by(momentum, -dt);
+                self.q_last = spin::last_orientation(
+                    self.q,
+                    self.inertia,
+                    self.inverse_inertia,
+                    velocity.omega,
+                    self.torque,
+                    dt,
+                );
             }
         }
         if let Some(held) = self.fixed_point {
@@ -357,22 +348,9 @@ impl RigidBody {
     }
     // ANCHOR_END: set_velocity
 
-    /// I ω in world axes, kg m²/s.
-    fn angular_momentum_of(&self, omega: Vec3) -> Vec3 {
-        if self.is_round() {
-            return omega * self.inertia.x;
-        }
-        self.q * ((self.q.conjugate() * omega) * self.inertia)
-    }
-
     /// Writes its place into the graph.
     pub fn place_node(&self, graph: &mut SceneGraph) {
         graph.set_local(self.node, Transform::new(self.p, self.q));
-    }
-
-    /// Whether its three moments are equal, as a ball's are: then it needs no axes.
-    fn is_round(&self) -> bool {
-        self.inertia.x == self.inertia.y && self.inertia.y == self.inertia.z
     }
 }
 

@@ -158,10 +158,16 @@ impl Margins {
 
     /// How far ahead of a body to look. Who bounces must arrive first.
     fn ahead_of(self, body: &RigidBody) -> f32 {
-        if body.material().restitution > 0.0 {
+        self.ahead(body.material().restitution, || body.last_reach())
+    }
+
+    /// The same of a body with this restitution that moved `reach`, m, in the last step.
+    #[must_use]
+    pub fn ahead(self, restitution: f32, reach: impl FnOnce() -> f32) -> f32 {
+        if restitution > 0.0 {
             0.0
         } else {
-            body.last_reach().min(self.ahead)
+            reach().min(self.ahead)
         }
     }
 }

@@ -18,12 +18,13 @@ pub mod narrow;
 mod pass_clock;
 mod resolve;
 
+pub use checks::check_settings;
 pub use collision_tree::{CollisionTree, Margins, placed};
 pub use contact::Contact;
 pub use dissect::dissect;
 pub use engine::{CollisionEngine, ENGINE};
 pub use pass_clock::PassClock;
 pub use resolve::{
-    DEFAULT_SWEEPS, DEFAULT_SWEEPS_OF_BALLS, Links, NoLinks, Rules, Span, default_sweeps,
-    resolve_corrected, resolve_printed,
+    DEFAULT_SWEEPS, DEFAULT_SWEEPS_OF_BALLS, FAR_NUDGE, LONGEST_SHIFT, Links, NoLinks, Rules,
+    SMALL_NUDGE, Span, default_sweeps, resolve_corrected, resolve_printed,
 };

@@ -5,7 +5,7 @@ mod corrected;
 mod links;
 mod printed;
 
-pub use corrected::resolve_corrected;
+pub use corrected::{FAR_NUDGE, SMALL_NUDGE, resolve_corrected};
 pub use links::{Links, NoLinks};
 pub use printed::resolve_printed;
 

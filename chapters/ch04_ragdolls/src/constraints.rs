@@ -15,20 +15,20 @@ mod pin;
 pub use anchors::{Anchors, Arms};
 pub use angle::AngleConstraint;
 pub use distance::DistanceConstraint;
-pub use limits::{AngleLimits, Bound, Row};
+pub use limits::{AngleLimits, Bound, MOST_ROWS, Row};
 pub use pin::PinConstraint;
 
 /// A gap, m, that is closed enough.
-const SMALL_GAP: f32 = 1e-6;
+pub const SMALL_GAP: f32 = 1e-6;
 
 /// A gap is wide if it is more than this share of the arms to the joint.
-const WIDE: f32 = 0.01;
+pub const WIDE: f32 = 0.01;
 
 /// An angle, rad, that is near enough.
-const SMALL_ANGLE: f32 = 1e-5;
+pub const SMALL_ANGLE: f32 = 1e-5;
 
 /// The largest gap, m, that one nudge closes.
-const LONGEST_GAP: f32 = 0.05;
+pub const LONGEST_GAP: f32 = 0.05;
 
 /// The largest angle, rad, that one nudge turns.
-const LARGEST_TURN: f32 = 0.2;
+pub const LARGEST_TURN: f32 = 0.2;

@@ -13,10 +13,11 @@ mod rigid_bone;
 mod rigid_joint;
 
 pub use constraints::{
-    Anchors, AngleConstraint, AngleLimits, Arms, DistanceConstraint, PinConstraint,
+    Anchors, AngleConstraint, AngleLimits, Arms, Bound, DistanceConstraint, LARGEST_TURN,
+    LONGEST_GAP, MOST_ROWS, PinConstraint, Row, SMALL_ANGLE, SMALL_GAP, WIDE,
 };
 pub use engine::{ENGINE, RagdollEngine};
-pub use load::Assembly;
+pub use load::{Assembly, Forest};
 pub use ragdoll::Ragdoll;
 pub use rigid_bone::{BoneId, RigidBone};
 pub use rigid_joint::{JointSpec, RigidJoint};

@@ -1,5 +1,7 @@
 //! From a scene's list of joints to ragdolls: which joints make trees, and what is left.
 
+use std::collections::BTreeMap;
+
 use ch00_scenes::{Joint, Scene};
 use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
@@ -24,24 +26,16 @@ impl Assembly {
     /// Makes the joints of a scene. Two static bodies need none.
     #[must_use]
     pub fn of(scene: &Scene, bodies: &[Shared<RigidBody>]) -> Self {
-        let mut assembly = Self::default();
-        let parent_joint = tree_joints(scene);
-        let children = children_of(scene, &parent_joint);
+        let forest = Forest::of(scene);
         let make = |j: usize| make_joint(&scene.joints[j], bodies);
-        for root in 0..bodies.len() {
-            if parent_joint[root].is_none() && !children[root].is_empty() {
-                let ragdoll = grow(root, &children, scene, bodies, &make);
-                assembly.ragdolls.push(ragdoll);
-            }
+        Self {
+            ragdolls: forest
+                .trees
+                .iter()
+                .map(|joints| grow(joints, scene, bodies, &make))
+                .collect(),
+            loops: forest.loops.iter().map(|&j| make(j)).collect(),
         }
-        for (j, joint) in scene.joints.iter().enumerate() {
-            let (a, b) = joint.bodies();
-            let both_static = scene.bodies[a].is_static() && scene.bodies[b].is_static();
-            if parent_joint[b] != Some(j) && !both_static {
-                assembly.loops.push(make(j));
-            }
-        }
-        assembly
     }
 
     // ANCHOR: update
@@ -124,6 +118,49 @@ impl Links for Assembly {
 }
 // ANCHOR_END: links
 
+// ANCHOR: forest
+/// Which joints of a scene make trees, by their indices.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Forest {
+    /// The joints of each tree, branch by branch, every parent before its children.
+    pub trees: Vec<Vec<usize>>,
+    /// Joints that close loops, in the scene's order. Between two static bodies none is needed.
+    pub loops: Vec<usize>,
+}
+
+impl Forest {
+    /// Of a scene.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let parent_joint = tree_joints(scene);
+        let children = children_of(scene, &parent_joint);
+        let roots = (0..scene.bodies.len()).filter(|&i| parent_joint[i].is_none());
+        let trees = roots.map(|root| walk(root, &children, scene));
+        let is_loop = |j: &usize| {
+            let (a, b) = scene.joints[*j].bodies();
+            let both_static = scene.bodies[a].is_static() && scene.bodies[b].is_static();
+            parent_joint[b] != Some(*j) && !both_static
+        };
+        Self {
+            trees: trees.filter(|joints| !joints.is_empty()).collect(),
+            loops: (0..scene.joints.len()).filter(is_loop).collect(),
+        }
+    }
+}
+// ANCHOR_END: forest
+
+/// The joints below a root, branch by branch.
+fn walk(root: usize, children: &[Vec<usize>], scene: &Scene) -> Vec<usize> {
+    let mut joints = Vec::new();
+    let mut open: Vec<usize> = children[root].iter().rev().copied().collect();
+    while let Some(j) = open.pop() {
+        joints.push(j);
+        let child = scene.joints[j].bodies().1;
+        open.extend(children[child].iter().rev());
+    }
+    joints
+}
+
 // ANCHOR: tree
 /// The joint by which each body hangs on its parent, if it hangs on something in one way only and
 /// doesn't, after however many parents, hang on itself.
@@ -168,25 +205,25 @@ fn children_of(scene: &Scene, parent_joint: &[Option<usize>]) -> Vec<Vec<usize>>
     children
 }
 
-/// Grows the tree below a root, branch by branch.
+/// Grows a tree of joints, every parent before its children.
 fn grow(
-    root: usize,
-    children: &[Vec<usize>],
+    joints: &[usize],
     scene: &Scene,
     bodies: &[Shared<RigidBody>],
     make: &impl Fn(usize) -> RigidJoint,
 ) -> Ragdoll {
+    let root = scene.joints[joints[0]].bodies().0;
     let mut ragdoll = Ragdoll::new(RigidBone {
         body: bodies[root].clone(),
         index: root,
         parent: None,
         children: Vec::new(),
     });
-    let mut open: Vec<_> = children[root].iter().rev().map(|&j| (0, j)).collect();
-    while let Some((parent, j)) = open.pop() {
-        let bone = ragdoll.grow(parent, make(j));
-        let child = scene.joints[j].bodies().1;
-        open.extend(children[child].iter().rev().map(|&j| (bone, j)));
+    let mut bone_of = BTreeMap::from([(root, 0)]);
+    for &j in joints {
+        let (parent, child) = scene.joints[j].bodies();
+        let bone = ragdoll.grow(bone_of[&parent], make(j));
+        bone_of.insert(child, bone);
     }
     ragdoll
 }
@@ -195,60 +232,64 @@ fn grow(
 fn make_joint(joint: &Joint, bodies: &[Shared<RigidBody>]) -> RigidJoint {
     let (a, b) = joint.bodies();
     let of = |i: usize| (i, bodies[i].clone());
-    RigidJoint::new(of(a), of(b), spec_of(joint))
+    RigidJoint::new(of(a), of(b), JointSpec::of(joint))
 }
 
-fn spec_of(joint: &Joint) -> JointSpec {
-    let (anchor_a, anchor_b) = joint.anchors();
-    let pinned = JointSpec {
-        anchors: Anchors {
-            parent: anchor_a.as_vec3(),
-            child: anchor_b.as_vec3(),
-        },
-        distance: None,
-        limits: None,
-        rest: None,
-    };
-    match *joint {
-        Joint::Ball {
-            cone,
-            twist,
-            limits,
-            rest,
-            ..
-        } => JointSpec {
-            limits: match limits {
-                Some(limits) => Some(AngleLimits::PitchYawRoll {
-                    pitch: single(limits.pitch),
-                    yaw: single(limits.yaw),
-                    roll: single(limits.roll),
-                }),
-                None if cone.is_none() && twist.is_none() => None,
-                None => Some(AngleLimits::ConeTwist {
-                    cone: cone.map(|cone| cone as f32),
-                    twist: twist.map(single),
-                }),
+impl JointSpec {
+    /// A joint of a scene.
+    #[must_use]
+    pub fn of(joint: &Joint) -> Self {
+        let (anchor_a, anchor_b) = joint.anchors();
+        let pinned = JointSpec {
+            anchors: Anchors {
+                parent: anchor_a.as_vec3(),
+                child: anchor_b.as_vec3(),
             },
-            rest: rest.map(|q: DQuat| q.as_quat()),
-            ..pinned
-        },
-        Joint::Distance { length, .. } => JointSpec {
-            distance: Some(length as f32),
-            ..pinned
-        },
-        Joint::Hinge {
-            axis_a,
-            axis_b,
-            range,
-            ..
-        } => JointSpec {
-            limits: Some(AngleLimits::Hinge {
-                axis_parent: unit(axis_a),
-                axis_child: unit(axis_b),
-                range: range.map(single),
-            }),
-            ..pinned
-        },
+            distance: None,
+            limits: None,
+            rest: None,
+        };
+        match *joint {
+            Joint::Ball {
+                cone,
+                twist,
+                limits,
+                rest,
+                ..
+            } => JointSpec {
+                limits: match limits {
+                    Some(limits) => Some(AngleLimits::PitchYawRoll {
+                        pitch: single(limits.pitch),
+                        yaw: single(limits.yaw),
+                        roll: single(limits.roll),
+                    }),
+                    None if cone.is_none() && twist.is_none() => None,
+                    None => Some(AngleLimits::ConeTwist {
+                        cone: cone.map(|cone| cone as f32),
+                        twist: twist.map(single),
+                    }),
+                },
+                rest: rest.map(|q: DQuat| q.as_quat()),
+                ..pinned
+            },
+            Joint::Distance { length, .. } => JointSpec {
+                distance: Some(length as f32),
+                ..pinned
+            },
+            Joint::Hinge {
+                axis_a,
+                axis_b,
+                range,
+                ..
+            } => JointSpec {
+                limits: Some(AngleLimits::Hinge {
+                    axis_parent: unit(axis_a),
+                    axis_child: unit(axis_b),
+                    range: range.map(single),
+                }),
+                ..pinned
+            },
+        }
     }
 }
 

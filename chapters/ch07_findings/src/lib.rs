@@ -33,7 +33,7 @@ pub const CHAPTER: Chapter = Chapter {
     name: "ch07_findings",
     title: "From Objects to Shaders",
     about: "Every engine and every scene of the book, and the charts of what was measured.",
-    engines: &[ch04_ragdolls::ENGINE],
+    engines: &[ch04_ragdolls::ENGINE, ch05_properties::ENGINE],
     default_scene: "balls",
     scenes: ch00_scenes::builtin::NAMES,
 };

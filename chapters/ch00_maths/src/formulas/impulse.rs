@@ -8,11 +8,11 @@ use super::real::{Mat3, Quat, Real, Vec3};
 // ANCHOR: mass
 /// What an impulse needs to know of a body; a static body has zeros.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mass {
+pub struct Mass<I = Mat3> {
     /// 1/m, 1/kg.
     pub inverse_mass: Real,
-    /// I⁻¹ in world axes, 1/(kg m²).
-    pub inverse_inertia: Mat3,
+    /// I⁻¹ in world axes, 1/(kg m²): a matrix, or one number where all bodies are balls.
+    pub inverse_inertia: I,
 }
 
 impl Mass {
@@ -20,6 +20,7 @@ impl Mass {
     ///
     /// The report calls M(q, I, a) at every use, since turning I every frame costs too much. A step
     /// uses I⁻¹ some fifty times a body, so one turn of the matrix is cheaper than a hundred of vectors.
+    #[inline]
     #[must_use]
     pub fn new(inverse_mass: Real, inverse_inertia: Vec3, q: Quat) -> Self {
         let is_ball =
@@ -36,14 +37,39 @@ impl Mass {
             inverse_inertia,
         }
     }
-
-    /// M(q, I, a) of this body.
-    #[must_use]
-    pub fn moment(&self, a: Vec3) -> Vec3 {
-        self.inverse_inertia * a
-    }
 }
 // ANCHOR_END: mass
+
+// ANCHOR: inertia
+/// What turns an angular impulse into a change of angular velocity.
+pub trait Inertia: Copy {
+    /// I⁻¹ a.
+    fn moment(self, a: Vec3) -> Vec3;
+}
+
+impl Inertia for Mat3 {
+    #[inline]
+    fn moment(self, a: Vec3) -> Vec3 {
+        self * a
+    }
+}
+
+impl Inertia for Real {
+    #[inline]
+    fn moment(self, a: Vec3) -> Vec3 {
+        self * a
+    }
+}
+
+impl<I: Inertia> Mass<I> {
+    /// M(q, I, a) of this body.
+    #[inline]
+    #[must_use]
+    pub fn moment(&self, a: Vec3) -> Vec3 {
+        self.inverse_inertia.moment(a)
+    }
+}
+// ANCHOR_END: inertia
 
 /// Linear (m/s) and angular (rad/s, world) velocity of a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,12 +82,14 @@ pub struct Velocity {
 
 // ANCHOR: point_velocity
 /// v_c = v + ω × r: velocity of the body's point at r from its centre, m/s.
+#[inline]
 #[must_use]
 pub fn point_velocity(body: Velocity, r: Vec3) -> Vec3 {
     body.v + body.omega.cross(r)
 }
 
 /// v_r = v_c1 − v_c2: velocity of body 1 relative to body 2 at the contact, m/s.
+#[inline]
 #[must_use]
 pub fn relative_velocity(body_1: Velocity, r1: Vec3, body_2: Velocity, r2: Vec3) -> Vec3 {
     point_velocity(body_1, r1) - point_velocity(body_2, r2)
@@ -71,8 +99,15 @@ pub fn relative_velocity(body_1: Velocity, r1: Vec3, body_2: Velocity, r2: Vec3)
 // ANCHOR: response
 /// m₁⁻¹ + m₂⁻¹ + û·(M₁(r₁×û)×r₁) + û·(M₂(r₂×û)×r₂): how much the relative velocity along û
 /// changes by a unit impulse along û, 1/kg. The denominator of J.
+#[inline]
 #[must_use]
-pub fn response(mass_1: &Mass, r1: Vec3, mass_2: &Mass, r2: Vec3, u: Vec3) -> Real {
+pub fn response<I: Inertia>(
+    mass_1: &Mass<I>,
+    r1: Vec3,
+    mass_2: &Mass<I>,
+    r2: Vec3,
+    u: Vec3,
+) -> Real {
     mass_1.inverse_mass
         + mass_2.inverse_mass
         + u.dot(mass_1.moment(r1.cross(u)).cross(r1))
@@ -83,6 +118,7 @@ pub fn response(mass_1: &Mass, r1: Vec3, mass_2: &Mass, r2: Vec3, u: Vec3) -> Re
 // ANCHOR: magnitude
 /// J = −(1 + e) v_r·n̂ / response, N s: the impulse after which the bodies part with e times
 /// the speed of their approach.
+#[inline]
 #[must_use]
 pub fn magnitude(approach: Real, restitution: Real, response: Real) -> Real {
     -approach * (1.0 + restitution) / response
@@ -93,8 +129,9 @@ pub fn magnitude(approach: Real, restitution: Real, response: Real) -> Real {
 /// The velocity of a body after the impulse C at r: v + C/m, ω + M(r × C). For body 2 hand over −C.
 ///
 /// Each body gets the whole impulse (erratum 2), with its own sign (erratum 7).
+#[inline]
 #[must_use]
-pub fn applied(body: Velocity, mass: &Mass, r: Vec3, impulse: Vec3) -> Velocity {
+pub fn applied<I: Inertia>(body: Velocity, mass: &Mass<I>, r: Vec3, impulse: Vec3) -> Velocity {
     Velocity {
         v: body.v + impulse * mass.inverse_mass,
         omega: body.omega + mass.moment(r.cross(impulse)),
@@ -108,6 +145,7 @@ pub fn applied(body: Velocity, mass: &Mass, r: Vec3, impulse: Vec3) -> Velocity 
 ///
 /// Energy along the normal: u_s² = u² − 2 a_n d. Whoever pushes bodies apart by d and lets them
 /// part with e u_s adds no energy; and a body that rests, and so only fell by d, has u_s = 0.
+#[inline]
 #[must_use]
 pub fn surface_speed(speed: Real, a_n: Real, depth: Real) -> Real {
     (speed * speed - 2.0 * a_n * depth).max(0.0).sqrt()
@@ -117,6 +155,7 @@ pub fn surface_speed(speed: Real, a_n: Real, depth: Real) -> Real {
 // ANCHOR: coulomb
 /// Coulomb's law: the tangential impulse, N s, that friction can give against `wanted`, the one that
 /// would stop the sliding. Up to μ_s N it sticks; beyond that it slides with μ_k N.
+#[inline]
 #[must_use]
 pub fn coulomb(wanted: Vec3, normal: Real, friction_static: Real, friction_kinetic: Real) -> Vec3 {
     let size = wanted.length();
@@ -130,12 +169,14 @@ pub fn coulomb(wanted: Vec3, normal: Real, friction_static: Real, friction_kinet
 
 // ANCHOR: mixing
 /// Restitution of a pair: the mean of the two. Report 8.4.1.
+#[inline]
 #[must_use]
 pub fn mixed_restitution(e1: Real, e2: Real) -> Real {
     0.5 * (e1 + e2)
 }
 
 /// Friction of a pair: the geometric mean, so that a frictionless body has none with any other.
+#[inline]
 #[must_use]
 pub fn mixed_friction(mu1: Real, mu2: Real) -> Real {
     (mu1 * mu2).sqrt()
@@ -148,6 +189,7 @@ pub mod printed {
 
     // ANCHOR: printed
     /// v_r with r₁ in both places. Erratum 1.
+    #[inline]
     #[must_use]
     pub fn relative_velocity(body_1: Velocity, r1: Vec3, body_2: Velocity) -> Vec3 {
         point_velocity(body_1, r1) - point_velocity(body_2, r1)
@@ -155,6 +197,7 @@ pub mod printed {
 
     /// s₁ = m₂/(m₁ + m₂), s₂ = m₁/(m₁ + m₂): shares of an impulse that already accounts for
     /// both masses. Erratum 2. A static body has an infinite mass, so the other gets all of it.
+    #[inline]
     #[must_use]
     pub fn shares(mass_1: &Mass, mass_2: &Mass) -> (Real, Real) {
         let sum = mass_1.inverse_mass + mass_2.inverse_mass;
@@ -163,6 +206,7 @@ pub mod printed {
 
     /// The velocity of either body as the second set of formulas in 8.4.2 prints it: body 2
     /// gets C with the sign of body 1. Erratum 7.
+    #[inline]
     #[must_use]
     pub fn applied(body: Velocity, mass: &Mass, r: Vec3, share: Real, impulse: Vec3) -> Velocity {
         super::applied(body, mass, r, share * impulse)

@@ -33,6 +33,19 @@ pub fn cylinder(mass: Real, radius: Real, half_height: Real) -> Vec3 {
 }
 // ANCHOR_END: cylinder
 
+// ANCHOR: about_point
+/// Principal moments about a point that is `arm` away from the centre, in the body's axes, m:
+/// I + m(|s|² − s sᵀ). `None` where the arm makes the axes mix, that is unless it lies along one of them.
+#[must_use]
+pub fn about_point(inertia: Vec3, mass: Real, arm: Vec3) -> Option<Vec3> {
+    let s = arm;
+    let mixed = s.x * s.y != 0.0 || s.y * s.z != 0.0 || s.z * s.x != 0.0;
+    let squares = s * s;
+    let added = Vec3::splat(squares.element_sum()) - squares;
+    (!mixed).then_some(inertia + mass * added)
+}
+// ANCHOR_END: about_point
+
 // ANCHOR: capsule
 /// Solid capsule along y: a cylinder of half-height h and two half-balls of the same stuff.
 ///

@@ -19,6 +19,7 @@ pub struct Pose {
 // ANCHOR: correction
 /// D = −d / response: the positional impulse, kg m, that closes the gap
 /// d = (p₁ + t₁) − (p₂ + t₂) to first order.
+#[inline]
 #[must_use]
 pub fn correction(mass_1: &Mass, t1: Vec3, mass_2: &Mass, t2: Vec3, gap: Vec3) -> Vec3 {
     let length: Real = gap.length();
@@ -29,6 +30,7 @@ pub fn correction(mass_1: &Mass, t1: Vec3, mass_2: &Mass, t2: Vec3, gap: Vec3) -
 }
 
 /// The pose after the positional impulse D at t. For body 2 hand over −D.
+#[inline]
 #[must_use]
 pub fn applied(pose: Pose, mass: &Mass, t: Vec3, d: Vec3) -> Pose {
     Pose {
@@ -45,6 +47,7 @@ pub mod printed {
     // ANCHOR: printed
     /// Body 2's pose with M(q₂, I₂, t₂) × −D where M(q₂, I₂, t₂ × −D) belongs: the cross product is
     /// taken after the inertia, so the turn is off in size and direction. Erratum 6.
+    #[inline]
     #[must_use]
     pub fn applied_to_second(pose: Pose, mass: &Mass, t: Vec3, d: Vec3) -> Pose {
         Pose {

@@ -57,6 +57,17 @@ pub fn angular_velocity(q: Quat, q_last: Quat, dt: Real) -> Vec3 {
 }
 // ANCHOR_END: angular_velocity
 
+// ANCHOR: reach
+/// How far any point of a body within `radius`, m, of its centre has moved from p*, q* to p, q, at
+/// most, m: its centre's way and the chord of its turn.
+#[must_use]
+pub fn reach(p: Vec3, p_last: Vec3, q: Quat, q_last: Quat, radius: Real) -> Real {
+    let turn = q * q_last.conjugate();
+    let chord = 2.0 * Vec3::new(turn.x, turn.y, turn.z).length();
+    (p - p_last).length() + chord * radius
+}
+// ANCHOR_END: reach
+
 // ANCHOR: turned
 /// q turned by the world-frame rotation vector θ, rad: exp(θ) q.
 #[must_use]

@@ -8,11 +8,14 @@ use crate::stage::Stage;
 pub struct Keys;
 
 /// What to press, and what it does.
-const KEYS: [(&str, &str); 18] = [
+const KEYS: [(&str, &str); 21] = [
     ("Space", "pause or go on"),
     (". or N", "one step"),
     ("R", "reset"),
     ("F or T", "throw a ball where you look"),
+    ("Delete", "remove the picked body"),
+    ("Ctrl-Z", "undo an edit of a table's cell"),
+    ("Ctrl-Shift-Z or Ctrl-Y", "redo it"),
     ("V", "variable step or fixed step"),
     ("L", "light or dark"),
     ("C", "camera back to the start"),

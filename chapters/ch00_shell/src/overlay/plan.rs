@@ -26,6 +26,20 @@ impl Section for Plan {
             info.substeps,
             8 * info.real_size
         ));
-        ui.label(stage.session().engine().explain());
+        explanation(ui, stage.session().engine().explain().trim_end());
     }
+}
+
+/// Sentences are wrapped. Tables, which are aligned with spaces, are not: they scroll sideways.
+fn explanation(ui: &mut egui::Ui, text: &str) {
+    if !text.contains("  ") {
+        ui.label(text);
+        return;
+    }
+    egui::ScrollArea::horizontal()
+        .id_salt("plan")
+        .show(ui, |ui| {
+            let text = egui::RichText::new(text).monospace();
+            ui.add(egui::Label::new(text).extend());
+        });
 }

@@ -1,11 +1,12 @@
 //! How the overlay looks: calm, dense enough for a small window, in the picture's theme.
 
-use egui::{Color32, FontFamily, FontId, TextStyle};
+use egui::{Color32, FontDefinitions, FontFamily, FontId, TextStyle};
 
 use crate::render::Theme;
 
-/// Sets colours, text sizes and spacing.
+/// Sets colours, letters, text sizes and spacing.
 pub fn apply(context: &egui::Context, theme: Theme) {
+    context.set_fonts(fonts());
     context.set_theme(match theme {
         Theme::Light => egui::Theme::Light,
         Theme::Dark => egui::Theme::Dark,
@@ -38,6 +39,15 @@ pub fn apply(context: &egui::Context, theme: Theme) {
     });
 }
 
+/// egui's own letters; where the proportional ones lack a symbol, the monospaced ones' is taken.
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    let monospaced = fonts.families.get(&FontFamily::Monospace).cloned();
+    let proportional = fonts.families.entry(FontFamily::Proportional).or_default();
+    proportional.extend(monospaced.unwrap_or_default());
+    fonts
+}
+
 /// The frame of a panel: nothing is filled, as the picture has the panels' colour there.
 pub fn panel(ui: &egui::Ui) -> egui::Frame {
     egui::Frame::side_top_panel(ui.style()).fill(Color32::TRANSPARENT)
@@ -45,3 +55,25 @@ pub fn panel(ui: &egui::Ui) -> egui::Frame {
 
 /// For what needs attention.
 pub const WARNING: Color32 = Color32::from_rgb(230, 120, 40);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_symbol_of_a_formula_and_of_a_header_can_be_drawn() {
+        let context = egui::Context::default();
+        apply(&context, Theme::Dark);
+        let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+            let font = FontId::proportional(12.0);
+            let missing = |symbol: &char| {
+                let has =
+                    |fonts: &mut egui::epaint::text::FontsView| fonts.has_glyph(&font, *symbol);
+                !ui.ctx().fonts_mut(has)
+            };
+            let missing: String = "▲▼…–*ωτλμεθΔΣ²³⁻¹·×√₀₁₂≤".chars().filter(missing).collect();
+            assert_eq!(missing, "");
+        });
+        output.textures_delta.clear(); // nothing is painted
+    }
+}

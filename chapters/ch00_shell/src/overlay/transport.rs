@@ -17,6 +17,9 @@ pub fn show(ui: &mut egui::Ui, stage: &mut Stage) {
     );
     ui.add(egui::Label::new(egui::RichText::new(time).weak()).truncate());
     ui.horizontal(|ui| buttons(ui, stage));
+    if let Some(body) = stage.picked {
+        ui.horizontal(|ui| picked(ui, stage, body));
+    }
     if let Some(notice) = stage.notice.clone() {
         ui.colored_label(style::WARNING, notice);
         if ui.small_button("dismiss").clicked() {
@@ -38,5 +41,23 @@ fn buttons(ui: &mut egui::Ui, stage: &mut Stage) {
     }
     if ui.button("Throw").on_hover_text("F or T").clicked() {
         stage.throw_ball();
+    }
+}
+
+/// The picked body, and what can be done with it.
+fn picked(ui: &mut egui::Ui, stage: &mut Stage, body: usize) {
+    ui.weak(format!("picked: body {body}"));
+    let mut is_followed = stage.followed_body() == Some(body);
+    let tip = "the camera stays with it, and so does its table";
+    if ui
+        .checkbox(&mut is_followed, "follow")
+        .on_hover_text(tip)
+        .changed()
+    {
+        stage.follow_body(is_followed.then_some(body));
+    }
+    let tip = "Delete; a reset brings it back";
+    if ui.small_button("remove").on_hover_text(tip).clicked() {
+        stage.remove_picked();
     }
 }

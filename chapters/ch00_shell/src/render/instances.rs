@@ -72,7 +72,7 @@ impl Instances {
             let color = match place {
                 Some(place) => pair_color(place),
                 None if body.is_static() => colors.ground,
-                None => color_in_family(i, surroundings.family(i)),
+                None => color_in_family(surroundings.number(i), surroundings.family(i)),
             };
             let is_glass = picture.is_glass && place.is_none();
             let glow = if picture.picked == Some(i) { 1.0 } else { 0.0 };
@@ -112,8 +112,8 @@ impl Instances {
 }
 
 /// The colour of the family, every other member darker, so that limbs can be told apart.
-fn color_in_family(i: usize, family: usize) -> Vec3 {
-    body_color(family) * [1.0, 0.6][(i - family) % 2]
+fn color_in_family(number: usize, family: usize) -> Vec3 {
+    body_color(family) * [1.0, 0.6][(number - family) % 2]
 }
 
 /// How a body is drawn; one that can't move is never of glass.

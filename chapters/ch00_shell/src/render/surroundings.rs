@@ -2,8 +2,12 @@
 //! boxes are walls (drawn as glass, so that they hide nothing), how high the ground is, and
 //! the box about everything that a camera should see at the start.
 
+mod removal;
+
 use ch00_scenes::{Body, Scene, Shape};
 use glam::{DMat3, DVec3, Vec3};
+
+use removal::Numbers;
 
 /// A rectangle in the world with a side to look at it from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +25,8 @@ pub struct Face {
 /// What stands around the moving bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surroundings {
+    /// Which bodies of the scene as loaded are left.
+    numbers: Numbers,
     /// For each body of the scene as loaded: whether it is drawn as a wall or as the ground.
     is_scenery: Vec<bool>,
     /// For each body of the scene as loaded: whose colour it has. Bodies that joints connect share one.
@@ -40,11 +46,12 @@ pub struct Surroundings {
 }
 
 impl Surroundings {
-    /// Whose colour body `i` has: the first body of those that joints connect it with; itself if it was
-    /// added later.
+    /// Whose colour body `i` has, as a number like [`Self::number`]: the first body of those that
+    /// joints connect it with; itself if it was added later.
     #[must_use]
     pub fn family(&self, i: usize) -> usize {
-        self.family.get(i).copied().unwrap_or(i)
+        let number = self.number(i);
+        self.family.get(number).copied().unwrap_or(number)
     }
 
     /// Looks at the scene as it starts.
@@ -77,6 +84,7 @@ impl Surroundings {
         let (low, high) = worth_seeing(scene, moving_box, &floors, &wall_faces);
         Self {
             has_edges: bodies.iter().zip(&is_scenery).any(has_edge),
+            numbers: Numbers::default(),
             is_scenery,
             family: families(scene),
             wall_faces,
@@ -91,7 +99,8 @@ impl Surroundings {
     /// Whether body `i` is drawn as a wall or as the ground. Bodies thrown in never are.
     #[must_use]
     pub fn is_scenery(&self, i: usize) -> bool {
-        self.is_scenery.get(i).copied().unwrap_or(false)
+        let number = self.number(i);
+        self.is_scenery.get(number).copied().unwrap_or(false)
     }
 
     /// The middle of the box to see at the start, m.

@@ -18,6 +18,10 @@ impl Stage {
     /// Looks at the narrow phase of a pair from now on. Time stops, as iterations of one moment
     /// are of interest.
     pub fn look_at(&mut self, bodies: [usize; 2]) {
+        let count = self.session.scene().bodies.len();
+        if bodies.iter().any(|&i| i >= count) {
+            return; // one of them was removed after the contact was found
+        }
         if !self.is_paused {
             self.toggle_pause();
         }

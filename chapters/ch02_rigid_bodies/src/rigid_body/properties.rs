@@ -1,5 +1,6 @@
 //! What others may ask of a rigid body. Nothing here changes it.
 
+use ch00_maths::f32::rotation;
 use ch00_maths::f32::shape::Shape;
 use glam::{Quat, Vec3};
 
@@ -45,9 +46,8 @@ impl RigidBody {
     /// How far any point of it moved in the last step, at most, m.
     #[must_use]
     pub fn last_reach(&self) -> f32 {
-        let turn = self.q * self.q_last.conjugate();
-        let chord = 2.0 * Vec3::new(turn.x, turn.y, turn.z).length();
-        (self.p - self.p_last).length() + chord * self.collider.bounding_radius()
+        let radius = self.collider.bounding_radius();
+        rotation::reach(self.p, self.p_last, self.q, self.q_last, radius)
     }
 
     /// ΣF/m and gravity, m/s², where it is now.

@@ -2,7 +2,7 @@
 //! it moves with, and nudges and displacements that change where it is. Report 8.4 and 9.3.
 
 use ch00_maths::f32::impulse::{self, Mass, Velocity};
-use ch00_maths::f32::rotation;
+use ch00_maths::f32::{rotation, spin};
 use glam::{Quat, Vec3};
 
 use super::RigidBody;
@@ -50,10 +50,10 @@ impl RigidBody {
         self.held_by = self.moving;
         let half = 0.5 * self.dt_last;
         let omega = self.moving.omega;
-        let gyroscopic = omega.cross(self.angular_momentum_of(omega));
+        let kick = spin::half_kick(self.q, self.inertia, omega, self.torque, self.dt_last);
         self.half_kick = Velocity {
             v: half * self.acceleration,
-            omega: self.answers.moment(half * (self.torque - gyroscopic)),
+            omega: self.answers.moment(kick),
         };
         self.moving.v += self.half_kick.v;
         self.moving.omega += self.half_kick.omega;

@@ -1,6 +1,8 @@
 //! A contact while it is resolved: what stays the same during all sweeps, and what one visit does.
 
-use ch00_maths::f32::impulse::{self, coulomb, mixed_friction, mixed_restitution, surface_speed};
+use ch00_maths::f32::contact;
+use ch00_maths::f32::impulse::{self, coulomb, mixed_friction, mixed_restitution};
+use ch00_maths::f32::shape::Shape;
 use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::RigidBody;
 use glam::Vec3;
@@ -8,9 +10,6 @@ use glam::Vec3;
 use super::{Rules, Span};
 use crate::Contact;
 use crate::narrow::MOST_SPOTS;
-
-/// A lift that nobody pays for, m: what rounding makes of a body that rests and owes nothing.
-const LIFT_FOR_FREE: f32 = 1e-5;
 
 /// A contact while it is resolved.
 pub struct Constraint {
@@ -57,22 +56,18 @@ impl Constraint {
         span: Span,
     ) -> Self {
         let n = contact.normal;
-        let r1 = contact.point - one.position();
-        let r2 = contact.point - two.position();
+        let (material_1, material_2) = (one.material(), two.material());
+        let static_friction =
+            mixed_friction(material_1.static_friction, material_2.static_friction);
+        let r1 = arm(one, contact.point, static_friction);
+        let r2 = arm(two, contact.point, static_friction);
         let response = |u| impulse::response(one.answers(), r1, two.answers(), r2, u);
         let (across_1, across_2) = n.any_orthonormal_pair();
-        let (material_1, material_2) = (one.material(), two.material());
         let closing = (two.acceleration() - one.acceleration()).dot(n);
         let approach = impulse::relative_velocity(one.moving(), r1, two.moving(), r2).dot(n);
-        let speed = surface_speed((-approach).max(0.0), closing, contact.depth.max(0.0));
-        let slowest_impact = rules.restitution_threshold.max(1.5 * closing * span.dt);
-        let restitution = mixed_restitution(material_1.restitution, material_2.restitution);
-        // Who bounces starts from the surface; who rests may stay a little inside.
-        let slop = if restitution > 0.0 && speed > slowest_impact {
-            0.0
-        } else {
-            rules.slop
-        };
+        let slowest = contact::slowest_impact(rules.restitution_threshold, closing, span.dt);
+        let e = mixed_restitution(material_1.restitution, material_2.restitution);
+        let slop = contact::slop(approach, closing, contact.depth, e, slowest, rules.slop);
         Self {
             a: contact.a,
             b: contact.b,
@@ -83,17 +78,17 @@ impl Constraint {
             r2,
             depth: contact.depth - slop,
             pushed: 0.0,
-            gap_speed: (-contact.depth).max(0.0) / span.dt,
+            gap_speed: contact::gap_speed(contact.depth, span.dt),
             closing,
-            slowest_impact,
+            slowest_impact: slowest,
             response: response(n),
             response_across: response(across_1).max(response(across_2)),
-            restitution,
+            restitution: e,
             friction: mixed_friction(material_1.friction, material_2.friction),
-            static_friction: mixed_friction(material_1.static_friction, material_2.static_friction),
+            static_friction,
             impact: Vec3::ZERO,
             support: contact.support * span.longer,
-            rub: (contact.rub - contact.rub.dot(n) * n) * span.longer,
+            rub: contact::sliding(contact.rub, n) * span.longer,
         }
     }
 
@@ -112,12 +107,14 @@ impl Constraint {
     /// The speed of approach at the surface, m/s, if that is an impact. What doesn't bounce needs none:
     /// resting contact stops it.
     pub fn impact_speed(&self, v_r: Vec3) -> Option<f32> {
-        let approach = v_r.dot(self.normal);
-        if approach >= 0.0 || self.gap_speed > 0.0 || self.restitution == 0.0 {
-            return None;
-        }
-        let speed = surface_speed(-approach, self.closing, self.pushed);
-        (speed > self.slowest_impact).then_some(speed)
+        contact::impact_speed(
+            v_r.dot(self.normal),
+            self.gap_speed,
+            self.restitution,
+            self.closing,
+            self.pushed,
+            self.slowest_impact,
+        )
     }
     // ANCHOR_END: impact_speed
 
@@ -128,7 +125,7 @@ impl Constraint {
         let (mut one, mut two) = (bodies[self.a].borrow_mut(), bodies[self.b].borrow_mut());
         let parted = one.nudged(self.r1) - two.nudged(self.r2);
         let left = self.depth - self.normal.dot(parted);
-        let pushed = (self.pushed + left).max(0.0);
+        let pushed = contact::accumulated(self.pushed, left);
         let change = pushed - self.pushed;
         if change != 0.0 {
             self.pushed = pushed;
@@ -158,15 +155,10 @@ impl Constraint {
             (c.b, -c.normal, c.w2)
         };
         let mut body = bodies[moving].borrow_mut();
-        let v = body.moving().v;
-        let fall = (-v.dot(out)).max(0.0);
         let lift = c.pushed * weight / c.response;
-        let unpaid = lift - fall * fall / (2.0 * c.closing);
-        let rest = v + fall * out;
-        let speed = rest.length();
-        if unpaid > LIFT_FOR_FREE && speed > 0.0 {
-            let left = surface_speed(speed, c.closing, unpaid);
-            body.push(Vec3::ZERO, rest * ((left / speed - 1.0) / weight));
+        let v = body.moving().v;
+        if let Some(paid) = contact::pay_for_lift(v, out, c.closing, lift, weight) {
+            body.push(Vec3::ZERO, paid);
         }
     }
     // ANCHOR_END: pay_for_lift
@@ -189,7 +181,7 @@ impl Constraint {
             for (i, parting, sum) in &mut *hits {
                 let c = &mut pair[*i];
                 let missing = *parting - c.relative_velocity(bodies).dot(c.normal);
-                let normal = (*sum + missing / c.response).max(0.0);
+                let normal = contact::accumulated(*sum, missing / c.response);
                 c.apply_impact(bodies, (normal - *sum) * c.normal);
                 *sum = normal;
             }
@@ -206,8 +198,7 @@ impl Constraint {
 
     /// The part of the relative velocity that lies in the contact's plane, m/s.
     fn sliding(&self, bodies: &[Shared<RigidBody>]) -> Vec3 {
-        let v_r = self.relative_velocity(bodies);
-        v_r - v_r.dot(self.normal) * self.normal
+        contact::sliding(self.relative_velocity(bodies), self.normal)
     }
 
     /// An impulse that no sweep takes back, N s.
@@ -220,13 +211,12 @@ impl Constraint {
     /// Mends the support and then the friction of this contact. Says whether that changed anything
     /// worth another sweep.
     pub fn hold(&mut self, bodies: &[Shared<RigidBody>], rules: Rules) -> bool {
-        let approach = self.relative_velocity(bodies).dot(self.normal) + self.gap_speed;
-        let comes_fast = approach < self.gap_speed - self.slowest_impact;
-        if self.restitution > 0.0 && self.gap_speed > 0.0 && comes_fast {
-            // It is going to bounce: let it come.
+        let u = self.relative_velocity(bodies).dot(self.normal);
+        if contact::is_let_come(u, self.gap_speed, self.restitution, self.slowest_impact) {
             return false;
         }
-        let support = (self.support - approach / self.response).max(0.0);
+        let approach = u + self.gap_speed;
+        let support = contact::accumulated(self.support, -approach / self.response);
         if support == 0.0 && self.support == 0.0 {
             return false;
         }
@@ -253,4 +243,10 @@ impl Constraint {
         bodies[self.a].borrow_mut().push(self.r1, impulse);
         bodies[self.b].borrow_mut().push(self.r2, -impulse);
     }
+}
+
+/// From a body's centre to where a contact's impulses act on it.
+fn arm(body: &RigidBody, point: Vec3, friction: f32) -> Vec3 {
+    let is_ball = matches!(body.collider(), Shape::Sphere { .. });
+    contact::arm(point, body.position(), is_ball, friction)
 }

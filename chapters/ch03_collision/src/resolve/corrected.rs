@@ -13,10 +13,10 @@ use super::{LONGEST_SHIFT, Links, Rules, Span};
 use crate::Contact;
 
 /// A nudge that isn't worth another sweep, m.
-const SMALL_NUDGE: f32 = 1e-6;
+pub const SMALL_NUDGE: f32 = 1e-6;
 
 /// A nudge that is worth more sweeps than usual, m.
-const FAR_NUDGE: f32 = 0.005;
+pub const FAR_NUDGE: f32 = 0.005;
 
 // ANCHOR: resolve
 /// Resolves all contacts, and the links, together. Returns how many impacts were left when the sweeps

@@ -40,7 +40,9 @@ impl Anchors {
         self.arms_at(parent.nudged_pose(), child.nudged_pose())
     }
 
-    fn arms_at(&self, (p1, q1): (Vec3, Quat), (p2, q2): (Vec3, Quat)) -> Arms {
+    /// At two poses.
+    #[must_use]
+    pub fn arms_at(&self, (p1, q1): (Vec3, Quat), (p2, q2): (Vec3, Quat)) -> Arms {
         let (t1, t2) = (q1 * self.parent, q2 * self.child);
         let d = (p1 + t1) - (p2 + t2);
         Arms { t1, t2, d }

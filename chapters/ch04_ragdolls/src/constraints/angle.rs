@@ -1,13 +1,13 @@
 //! The angle constraint: a child's orientation stays within limits of its rest in its parent. The
 //! section that the report left open (9.4).
 
-use ch00_maths::f32::joint::turn_response;
+use ch00_maths::f32::joint::{Lever, turn_response};
 use ch02_rigid_bodies::RigidBody;
 use ch03_collision::Span;
 use glam::{Quat, Vec3};
 
 use super::limits::{AngleLimits, Bound, MOST_ROWS, Row};
-use super::pin::{Lever, PinConstraint};
+use super::pin::PinConstraint;
 use super::{LARGEST_TURN, SMALL_ANGLE};
 
 // ANCHOR: angle
@@ -156,10 +156,7 @@ impl AngleConstraint {
             }
             let lever = pin.lever(parent, child, row.axis);
             let beyond = -row.room.clamp(-LARGEST_TURN, LARGEST_TURN);
-            let mut nudged = turn.nudged + beyond / lever.response;
-            if row.bound != Bound::Fixed {
-                nudged = nudged.max(0.0);
-            }
+            let nudged = row.bound.accumulated(turn.nudged, beyond / lever.response);
             let change = nudged - turn.nudged;
             let turned = (change * lever.response).abs();
             if turned >= SMALL_ANGLE {
@@ -194,11 +191,8 @@ impl AngleConstraint {
         for turn in self.rows.iter_mut().filter(|turn| turn.is_bounded()) {
             let axis = turn.row.axis;
             let rate = axis.dot(child.moving().omega - parent.moving().omega);
-            let impulse = if turn.row.bound == Bound::Fixed {
-                turn.impulse - rate / turn.lever.response
-            } else {
-                (turn.impulse - (rate + turn.slack) / turn.lever.response).max(0.0)
-            };
+            let bound = turn.row.bound;
+            let impulse = bound.held(turn.impulse, rate, turn.slack, turn.lever.response);
             let change = impulse - turn.impulse;
             turn.impulse = impulse;
             if change != 0.0 {
@@ -230,16 +224,5 @@ impl LimitedTurn {
     /// Whether there is such a limit.
     fn is_bounded(&self) -> bool {
         self.row.bound != Bound::Free
-    }
-}
-
-impl Row {
-    /// How far to turn along g to be within the limit, rad, if `room` is what is left.
-    fn missing(&self, room: f32) -> f32 {
-        match self.bound {
-            Bound::Free => 0.0,
-            Bound::Fixed => -room,
-            Bound::Low | Bound::High => (-room).max(0.0),
-        }
     }
 }

@@ -69,9 +69,45 @@ pub enum Bound {
 }
 // ANCHOR_END: row
 
+impl Bound {
+    // ANCHOR: bound
+    /// The sum of turning impulses with one more: a limit pushes back only.
+    #[must_use]
+    pub fn accumulated(self, sum: f32, change: f32) -> f32 {
+        if self == Self::Fixed {
+            sum + change
+        } else {
+            (sum + change).max(0.0)
+        }
+    }
+
+    /// The turning impulse, N m s, with which a limit holds whose angle changes at `rate` and may
+    /// change against its axis at `slack`, rad/s, at most.
+    #[must_use]
+    pub fn held(self, impulse: f32, rate: f32, slack: f32, response: f32) -> f32 {
+        let off = if self == Self::Fixed {
+            rate
+        } else {
+            rate + slack
+        };
+        self.accumulated(impulse, -(off / response))
+    }
+    // ANCHOR_END: bound
+}
+
 impl Row {
+    /// How far to turn along g to be within the limit, rad, if `room` is what is left.
+    #[must_use]
+    pub fn missing(&self, room: f32) -> f32 {
+        match self.bound {
+            Bound::Free => 0.0,
+            Bound::Fixed => -room,
+            Bound::Low | Bound::High => (-room).max(0.0),
+        }
+    }
+
     /// Nothing is limited.
-    pub(super) const FREE: Self = Self {
+    pub const FREE: Self = Self {
         axis: Vec3::ZERO,
         room: f32::INFINITY,
         bound: Bound::Free,

@@ -1,6 +1,6 @@
 //! The pin: a point of the parent and a point of the child that stay together. Report 9.3.
 
-use ch00_maths::f32::joint::pin_matrix;
+use ch00_maths::f32::joint::{self, Lever, pin_matrix};
 use ch00_maths::f32::{impulse, pin};
 use ch02_rigid_bodies::RigidBody;
 use ch03_collision::Span;
@@ -25,17 +25,6 @@ pub struct PinConstraint {
     left: Vec3,
 }
 // ANCHOR_END: pin
-
-/// How two pinned bodies turn against each other.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Lever {
-    /// g: turning impulse on the child; the parent gets its opposite.
-    pub turn: Vec3,
-    /// Impulse at the pin on the parent that goes with it; the child gets its opposite.
-    pub pin: Vec3,
-    /// What g·(ω₂ − ω₁) changes by.
-    pub response: f32,
-}
 
 impl PinConstraint {
     /// Pins a point of one body to a point of another.
@@ -88,21 +77,12 @@ impl PinConstraint {
         self.yielding = pin_matrix(parent.answers(), t1, child.answers(), t2).inverse();
     }
 
-    // ANCHOR: lever
-    /// How the two turn about the pin: a unit turning impulse g on the child, and its opposite on the
-    /// parent, would also part the points; the lever's impulse at the pin keeps them together.
+    /// How the two turn about the pin by turning impulses along g.
     #[must_use]
     pub fn lever(&self, parent: &RigidBody, child: &RigidBody, g: Vec3) -> Lever {
-        let (turn_1, turn_2) = (parent.answers().moment(g), child.answers().moment(g));
-        let parting = -turn_1.cross(self.arms.t1) - turn_2.cross(self.arms.t2);
-        let pin = self.yielding * -parting;
-        Lever {
-            turn: g,
-            pin,
-            response: g.dot(turn_1 + turn_2) + parting.dot(pin),
-        }
+        let Arms { t1, t2, .. } = self.arms;
+        joint::lever(parent.answers(), t1, child.answers(), t2, self.yielding, g)
     }
-    // ANCHOR_END: lever
 
     // ANCHOR: printed
     /// The report's correction: along the gap, by one number, and with erratum 6 on the child.
@@ -117,17 +97,11 @@ impl PinConstraint {
 
     // ANCHOR: prepare
     /// Works out what stays the same while contacts are resolved.
-    ///
-    /// On a curved path the points part along the tangent, in the middle of the last step outwards
-    /// and in the middle of the next inwards, equally fast: now, halfway between, they don't.
     pub fn prepare(&mut self, parent: &RigidBody, child: &RigidBody, span: Span) {
         self.weigh(parent, child);
         self.impulse *= span.longer;
-        let (one, two) = (parent.moved(), child.moved());
-        let circling = |omega: Vec3, t: Vec3| 0.5 * span.dt * omega.length_squared() * t.length();
-        let most = circling(one.omega, self.arms.t1) + circling(two.omega, self.arms.t2);
-        let parted = impulse::relative_velocity(one, self.arms.t1, two, self.arms.t2);
-        self.parted = parted.clamp_length_max(most);
+        let Arms { t1, t2, .. } = self.arms;
+        self.parted = joint::parted(parent.moved(), t1, child.moved(), t2, span.dt);
     }
     // ANCHOR_END: prepare
 

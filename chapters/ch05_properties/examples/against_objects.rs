@@ -1,0 +1,69 @@
+//! The same scene, the same bits, two layouts: time of a step and of each of its passes.
+//!
+//! `cargo run --release -p ch05_properties --no-default-features --example against_objects [SCENE COUNT [STEPS]]`
+
+use std::time::{Duration, Instant};
+
+use ch00_scenes::{Engine, PassTime, Scene, Settings};
+use ch05_properties::PropertiesEngine;
+use ch05_properties::plan::Plan;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut args = std::env::args().skip(1);
+    let name = args.next().unwrap_or_else(|| "balls".to_owned());
+    let count = args.next().map(|count| count.parse()).transpose()?;
+    let steps: u32 = args.next().map_or(Ok(300), |steps| steps.parse())?;
+    let scene = Scene::open(&name, count, None)?;
+    let settings = Settings::defaults();
+    let full = |_: &Scene, method| Plan::full(method);
+    let mut engines: [(&str, Box<dyn Engine>); 3] = [
+        ("objects", (ch04_ragdolls::ENGINE.load)(&scene, &settings)?),
+        (
+            "all columns",
+            Box::new(PropertiesEngine::load_with(&scene, &settings, full)?),
+        ),
+        (
+            "planned",
+            Box::new(PropertiesEngine::load(&scene, &settings)?),
+        ),
+    ];
+    let mut times = vec![Vec::new(); 3];
+    let mut passes: Vec<Vec<PassTime>> = vec![Vec::new(); 3];
+    for _ in 0..steps {
+        for (k, (_, engine)) in engines.iter_mut().enumerate() {
+            let start = Instant::now();
+            engine.step(scene.dt as f32);
+            times[k].push(start.elapsed());
+            add(&mut passes[k], &engine.pass_times());
+        }
+    }
+    for (k, (name, _)) in engines.iter().enumerate() {
+        times[k].sort_unstable();
+        println!(
+            "{name:<12} median step {:>9.3} ms",
+            ms(times[k][times[k].len() / 2])
+        );
+        for pass in &passes[k] {
+            println!(
+                "    {:<22}{:>9.4} ms",
+                pass.name,
+                ms(pass.time) / f64::from(steps)
+            );
+        }
+    }
+    Ok(())
+}
+
+fn add(sums: &mut Vec<PassTime>, times: &[PassTime]) {
+    if sums.is_empty() {
+        sums.extend_from_slice(times);
+    } else {
+        for (sum, time) in sums.iter_mut().zip(times) {
+            sum.time += time.time;
+        }
+    }
+}
+
+fn ms(time: Duration) -> f64 {
+    1e3 * time.as_secs_f64()
+}

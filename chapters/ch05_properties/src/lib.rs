@@ -1,0 +1,11 @@
+//! Chapter 5: properties. The same algorithms as chapters 2 to 4, the same bits, and another layout: all
+//! state is columns in one nested container, all behaviour is plain functions over them.
+
+pub mod columns;
+pub mod data;
+mod engine;
+pub mod plan;
+pub mod systems;
+pub mod world;
+
+pub use engine::{ENGINE, METHODS, PropertiesEngine};

@@ -1,0 +1,118 @@
+//! Forces beside gravity: chapter 2's callbacks as tables. Sums run in the order in which the scene
+//! names its forces, as the callbacks' sums do.
+
+use ch00_maths::f32::force;
+use ch00_maths::f32::impulse::Velocity;
+use glam::{Quat, Vec3};
+
+use crate::data::{FixedPoints, Poles, Springs};
+
+/// ΣF/m and gravity, and ΣT, of every body where it is now: two columns that this fills.
+pub struct Sums<'a> {
+    /// m/s².
+    pub acceleration: &'a mut [Vec3],
+    /// N m.
+    pub torque: &'a mut [Vec3],
+}
+
+// ANCHOR: gather
+/// Sums what poles and fixed points do to bodies.
+#[expect(clippy::too_many_arguments, reason = "a system names its columns")]
+pub fn gather(
+    poles: &Poles,
+    fixed_points: &FixedPoints,
+    position: &[Vec3],
+    orientation: &[Quat],
+    inverse_mass: &[f32],
+    gravity: Vec3,
+    sums: &mut Sums<'_>,
+) {
+    sums.acceleration.fill(Vec3::ZERO);
+    sums.torque.fill(Vec3::ZERO);
+    let last = poles.force.last().max(fixed_points.force.last());
+    for force in 0..=last.copied().unwrap_or(0) {
+        magnets(poles, force, position, orientation, sums);
+        weights(fixed_points, force, orientation, sums);
+    }
+    for (row, acceleration) in sums.acceleration.iter_mut().enumerate() {
+        if inverse_mass[row] == 0.0 {
+            *acceleration = Vec3::ZERO;
+            sums.torque[row] = Vec3::ZERO;
+        } else {
+            *acceleration = gravity + *acceleration * inverse_mass[row];
+        }
+    }
+}
+// ANCHOR_END: gather
+
+// ANCHOR: magnets
+/// Every pole of a force feels every other of its poles that sits in another body. Until the masses are
+/// known, `acceleration` holds forces, N.
+fn magnets(
+    Poles {
+        body,
+        force: of_force,
+        place,
+        strength,
+        softening,
+        ..
+    }: &Poles,
+    force: u32,
+    position: &[Vec3],
+    orientation: &[Quat],
+    sums: &mut Sums<'_>,
+) {
+    let first = of_force.partition_point(|&of| of < force);
+    let end = of_force.partition_point(|&of| of <= force);
+    for own in first..end {
+        for other in (first..end).filter(|&other| body[other] != body[own]) {
+            let (i, j) = (body[own] as usize, body[other] as usize);
+            let between = position[i] + orientation[i] * place[own]
+                - (position[j] + orientation[j] * place[other]);
+            let pull = force::pole(between, strength[own] * strength[other], softening[own]);
+            sums.acceleration[i] += pull;
+            sums.torque[i] += (orientation[i] * place[own]).cross(pull);
+        }
+    }
+}
+// ANCHOR_END: magnets
+
+/// Gravity turns a body about its fixed point.
+fn weights(
+    FixedPoints {
+        body,
+        force: of_force,
+        arm,
+        weight,
+        ..
+    }: &FixedPoints,
+    force: u32,
+    orientation: &[Quat],
+    sums: &mut Sums<'_>,
+) {
+    let first = of_force.partition_point(|&of| of < force);
+    let end = of_force.partition_point(|&of| of <= force);
+    for k in first..end {
+        let i = body[k] as usize;
+        sums.torque[i] += (orientation[i] * arm[k]).cross(weight[k]);
+    }
+}
+
+/// Adds the mouse's pull on a body that moves with `velocity`.
+#[expect(clippy::too_many_arguments, reason = "a system names its columns")]
+pub fn drag(
+    springs: &Springs,
+    k: usize,
+    position: &[Vec3],
+    orientation: &[Quat],
+    inverse_mass: &[f32],
+    velocity: Velocity,
+    sums: &mut Sums<'_>,
+) {
+    let i = springs.body[k] as usize;
+    let arm = orientation[i] * springs.anchor[k];
+    let stretch = springs.target[k] - (position[i] + arm);
+    let (force, torque) = force::spring(springs.mass[k], arm, stretch, velocity);
+    sums.acceleration[i] += force * inverse_mass[i];
+    sums.torque[i] += torque;
+}

@@ -1,0 +1,275 @@
+//! The resolution of contacts and joints together: push apart, pay, bounce, rest. Chapter 3's order,
+//! chapter 3's ends of the sweeps.
+
+use ch00_maths::f32::impulse::{Mass, Velocity};
+use ch00_maths::f32::{rotation, spin};
+use ch03_collision::{FAR_NUDGE, LONGEST_SHIFT, Rules, SMALL_NUDGE};
+use glam::Vec3;
+
+use super::contacts;
+use super::joints::Held;
+use super::movers::{Movers, Turning};
+use super::{Pull, or_zero};
+use crate::columns::AnyTable;
+use crate::data::{Bodies, Contacts, Joints, Motions};
+
+// ANCHOR: involved
+/// The bodies that appear in a contact or a joint, each once, in order.
+pub fn involved(rows: usize, contacts: &Contacts, joints: &Joints, found: &mut Vec<u32>) {
+    let mut is_in = vec![false; rows];
+    let ends = [&contacts.a, &contacts.b, &joints.parent, &joints.child];
+    for &row in ends.into_iter().flat_map(|column| column.iter()) {
+        is_in[row as usize] = true;
+    }
+    found.clear();
+    found.extend((0..rows as u32).filter(|&row| is_in[row as usize]));
+}
+// ANCHOR_END: involved
+
+/// Before contacts are resolved: no nudges yet, and I⁻¹ turned to where the body is now.
+pub fn weigh(
+    involved: &[u32],
+    bodies: &Bodies,
+    Motions {
+        shift,
+        turn,
+        inverse_inertia,
+        ..
+    }: &mut Motions,
+) {
+    for row in involved.iter().map(|&row| row as usize) {
+        shift[row] = Vec3::ZERO;
+        if let Some(turn) = turn.get_mut(row) {
+            *turn = Vec3::ZERO;
+            inverse_inertia[row] = inertia_in_world(bodies, row).inverse_inertia;
+        }
+    }
+}
+
+/// How a body that is turned as it is answers to impulses.
+#[must_use]
+pub fn inertia_in_world(bodies: &Bodies, row: usize) -> Mass {
+    let (w, i_inverse) = (bodies.inverse_mass[row], bodies.inverse_inertia[row]);
+    Mass::new(w, i_inverse, bodies.orientation[row])
+}
+
+// ANCHOR: push_apart
+/// Nudges bodies until none overlap and all joints are closed. Velocities stay.
+///
+/// Where a sweep still nudges bodies far, as when limbs crash into each other, it goes on for longer.
+pub fn push_apart<M: Movers>(
+    contacts: &mut Contacts,
+    movers: &mut M,
+    joints: &mut impl Held<M>,
+    involved: &[u32],
+    rules: Rules,
+) {
+    for sweep in 1..=3 * rules.sweeps {
+        let mut furthest = joints.part(movers);
+        for c in 0..contacts.rows() {
+            furthest = furthest.max(contacts::part(contacts, c, movers));
+        }
+        if furthest < SMALL_NUDGE || (sweep >= rules.sweeps && furthest < FAR_NUDGE) {
+            break;
+        }
+    }
+    let mut against = Vec::new();
+    contacts::against_static(contacts, movers, &mut against);
+    shorten_shifts(contacts, &against, movers, involved);
+    for &c in &against {
+        contacts::part(contacts, c, movers);
+    }
+}
+// ANCHOR_END: push_apart
+
+/// Cuts the shifts of bodies that know of no obstacle near them, so that none is pushed through one.
+fn shorten_shifts(
+    contacts: &Contacts,
+    against: &[usize],
+    movers: &mut impl Movers,
+    involved: &[u32],
+) {
+    let last = involved.last().map_or(0, |&row| row as usize + 1);
+    let mut near_obstacle = vec![false; last];
+    for &c in against {
+        near_obstacle[contacts.a[c] as usize] = true;
+        near_obstacle[contacts.b[c] as usize] = true;
+    }
+    for row in involved.iter().map(|&row| row as usize) {
+        if !near_obstacle[row] {
+            movers.shorten_shift(row, LONGEST_SHIFT);
+        }
+    }
+}
+
+/// What is lifted out of an obstacle pays for it with speed.
+pub fn pay_for_lifts(contacts: &mut Contacts, movers: &mut impl Movers) {
+    contacts::each_touch(contacts, |contacts, first, end| {
+        contacts::pay_for_lift(contacts, first, end, movers);
+    });
+}
+
+// ANCHOR: bounce
+/// Impacts, one after the other, until nobody approaches fast. Gives how many were left.
+pub fn bounce(contacts: &mut Contacts, movers: &mut impl Movers, rules: Rules) -> usize {
+    for _ in 0..rules.sweeps {
+        let mut impacts = 0;
+        contacts::each_touch(contacts, |contacts, first, end| {
+            impacts += usize::from(contacts::impact(contacts, first, end, movers, rules));
+        });
+        if impacts == 0 {
+            return 0;
+        }
+    }
+    contacts::impacts_left(contacts, movers)
+}
+// ANCHOR_END: bounce
+
+/// From now on velocities are those in the middle of the coming step. What they were is noted in the
+/// columns of what held the bodies.
+pub fn begin_resting(
+    involved: &[u32],
+    bodies: &mut Bodies,
+    Motions {
+        velocity,
+        spin,
+        inverse_inertia,
+        spin_kick,
+        ..
+    }: &mut Motions,
+    acceleration: Option<Vec3>,
+    dt_last: f32,
+) {
+    let half = 0.5 * dt_last;
+    for row in involved.iter().map(|&row| row as usize) {
+        bodies.held_velocity[row] = velocity[row];
+        let pull = pull_of(bodies, acceleration).on(row, bodies.inverse_mass[row]);
+        velocity[row] += half * pull;
+        if let Some(spin) = spin.get_mut(row) {
+            bodies.held_spin[row] = *spin;
+            let (q, i) = (bodies.orientation[row], bodies.inertia[row]);
+            let torque = or_zero(&bodies.torque, row);
+            let kick = inverse_inertia[row] * spin::half_kick(q, i, *spin, torque, dt_last);
+            spin_kick[row] = kick;
+            *spin += kick;
+        }
+    }
+}
+
+/// What pulls the bodies, if `gravity` is all there is, or the column.
+#[must_use]
+pub fn pull_of(bodies: &Bodies, gravity: Option<Vec3>) -> Pull<'_> {
+    gravity.map_or(Pull::Forces(&bodies.acceleration), Pull::Gravity)
+}
+
+// ANCHOR: rest
+/// Resting contact: supports stop what still approaches, friction stops what slides, joints hold what
+/// belongs together. All are kept as sums, so that a later sweep can take back what an earlier one gave.
+pub fn rest<M: Movers>(
+    contacts: &mut Contacts,
+    movers: &mut M,
+    joints: &mut impl Held<M>,
+    rules: Rules,
+) {
+    joints.resume(movers);
+    for c in 0..contacts.rows() {
+        contacts::resume(contacts, c, movers);
+    }
+    for sweep in 0..rules.sweeps {
+        let mut changed = joints.hold(movers, rules.still);
+        contacts::each_touch(contacts, |contacts, first, end| {
+            changed |= hold_in_turn(contacts, first, end, sweep % 2 == 1, movers, rules);
+        });
+        if !changed {
+            break;
+        }
+    }
+    let mut against = Vec::new();
+    contacts::against_static(contacts, movers, &mut against);
+    for &c in &against {
+        contacts::hold(contacts, c, movers, rules);
+    }
+}
+// ANCHOR_END: rest
+
+/// Mends the points of a touch. They take turns in going first, or a tower would lean to one side.
+#[inline]
+fn hold_in_turn(
+    contacts: &mut Contacts,
+    first: usize,
+    end: usize,
+    backwards: bool,
+    movers: &mut impl Movers,
+    rules: Rules,
+) -> bool {
+    let mut changed = false;
+    for k in first..end {
+        let c = if backwards { end - 1 - (k - first) } else { k };
+        changed |= contacts::hold(contacts, c, movers, rules);
+    }
+    changed
+}
+
+// ANCHOR: displace
+/// After contacts are resolved: the bodies go where they were nudged to, and what held them is noted.
+/// Their velocities are then theirs to write into p* and q*.
+pub fn displace(
+    involved: &[u32],
+    bodies: &mut Bodies,
+    Motions {
+        velocity,
+        spin,
+        shift,
+        turn,
+        spin_kick,
+        ..
+    }: &mut Motions,
+    acceleration: Option<Vec3>,
+    dt_last: f32,
+) {
+    let half = 0.5 * dt_last;
+    for row in involved.iter().map(|&row| row as usize) {
+        let pull = pull_of(bodies, acceleration).on(row, bodies.inverse_mass[row]);
+        velocity[row] -= half * pull;
+        bodies.held_velocity[row] = velocity[row] - bodies.held_velocity[row];
+        bodies.position[row] += shift[row];
+        if let Some(spin) = spin.get_mut(row) {
+            *spin -= spin_kick[row];
+            bodies.held_spin[row] = *spin - bodies.held_spin[row];
+            if turn[row] != Vec3::ZERO {
+                bodies.orientation[row] = rotation::turned(bodies.orientation[row], turn[row]);
+            }
+        }
+    }
+}
+// ANCHOR_END: displace
+
+/// The columns of motions and bodies that the resolution with turns works on.
+pub fn turning<'a>(bodies: &'a Bodies, motions: &'a mut Motions) -> Turning<'a> {
+    Turning {
+        velocity: &mut motions.velocity,
+        spin: &mut motions.spin,
+        shift: &mut motions.shift,
+        turn: &mut motions.turn,
+        inverse_mass: &bodies.inverse_mass,
+        inverse_inertia: &motions.inverse_inertia,
+    }
+}
+
+/// Those that the resolution without turns works on.
+pub fn gliding<'a>(bodies: &'a Bodies, motions: &'a mut Motions) -> super::movers::Gliding<'a> {
+    super::movers::Gliding {
+        velocity: &mut motions.velocity,
+        shift: &mut motions.shift,
+        inverse_mass: &bodies.inverse_mass,
+    }
+}
+
+/// A body's velocities as far as they are resolved.
+#[must_use]
+pub fn resolved(motions: &Motions, row: usize) -> Velocity {
+    Velocity {
+        v: motions.velocity[row],
+        omega: or_zero(&motions.spin, row),
+    }
+}
