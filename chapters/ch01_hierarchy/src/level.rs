@@ -4,7 +4,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use crate::{GameObject, SceneGraph, Shared};
+use crate::{GameObject, NodeId, SceneGraph, Shared};
 
 /// The scene graph and all game objects.
 #[derive(Default)]
@@ -42,6 +42,19 @@ impl Level {
         // The node may be gone already, with an object that shared it: that is no error here.
         let _ = self.graph.remove(object.borrow().node());
         true
+    }
+
+    /// Takes out, in one pass, all objects whose node is among these, and the nodes out of the
+    /// graph. Nodes that were removed before are passed over.
+    pub fn remove_all(&mut self, nodes: &[NodeId]) {
+        for &node in nodes {
+            // It may be gone already: that is no error here.
+            let _ = self.graph.remove(node);
+        }
+        let graph = &self.graph;
+        self.objects
+            .retain(|object| graph.get(object.borrow().node()).is_some());
+        self.graph.order_parents_first();
     }
 
     /// The objects in the order in which they were added.

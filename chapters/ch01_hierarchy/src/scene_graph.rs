@@ -122,6 +122,7 @@ impl SceneGraph {
 
     /// The node, or `None` if it was removed.
     #[must_use]
+    #[inline]
     pub fn get(&self, id: NodeId) -> Option<&SceneNode> {
         let slot = self.slots.get(id.index as usize)?;
         slot.node
@@ -343,7 +344,7 @@ impl SceneGraph {
     }
 
     /// Level by level from the roots: each node after its parent, siblings side by side.
-    fn order_parents_first(&mut self) {
+    pub(crate) fn order_parents_first(&mut self) {
         if !self.order_is_stale {
             return;
         }

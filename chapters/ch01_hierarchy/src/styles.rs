@@ -3,7 +3,8 @@
 //! and who may touch it differs.
 //!
 //! Every line that the property `glow` cost, which was added when the rest was done, stands
-//! between `ANCHOR: glow` and `ANCHOR_END: glow`, where [`cost`] counts it.
+//! between `ANCHOR: glow` and `ANCHOR_END: glow`, where [`cost`] counts it. What spinning costs,
+//! and the two kinds that do it, stands between `ANCHOR: spinning` and its end: chapter 5 counts that.
 
 pub mod components;
 pub mod cost;
@@ -11,12 +12,14 @@ pub mod formulas;
 pub mod hierarchy;
 pub mod hybrid;
 pub mod items;
+pub mod living;
 
 use crate::Transform;
 use items::Item;
 
 // ANCHOR: style
-/// What a style can be asked for. Rows are in the order of the items.
+/// What a style can be asked for. Rows are in one order, the same for every column: that of the
+/// items, in all styles of this chapter.
 pub trait Style {
     /// Name in tables.
     const NAME: &'static str;
@@ -54,7 +57,8 @@ pub struct Bytes {
 
 impl Bytes {
     /// The sum over items.
-    pub(crate) fn sum(items: &[Item], bytes_of: impl Fn(&Item) -> Self) -> Self {
+    #[must_use]
+    pub fn sum(items: &[Item], bytes_of: impl Fn(&Item) -> Self) -> Self {
         items
             .iter()
             .map(bytes_of)

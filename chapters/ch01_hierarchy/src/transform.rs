@@ -48,6 +48,7 @@ impl Transform {
     // ANCHOR: compose
     /// `inner` seen from outside `self`: t = t₁ + q₁ t₂ q̄₁, q = q₁ q₂.
     #[must_use]
+    #[inline]
     pub fn compose(self, inner: Self) -> Self {
         Self {
             translation: self.translation + self.rotation * inner.translation,
@@ -89,6 +90,7 @@ impl Default for Transform {
 impl Mul for Transform {
     type Output = Self;
 
+    #[inline]
     fn mul(self, inner: Self) -> Self {
         self.compose(inner)
     }

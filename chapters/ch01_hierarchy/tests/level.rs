@@ -120,3 +120,16 @@ fn the_level_and_the_handle_share_one_object() {
     level.update(1.0);
     assert_eq!(walker.borrow().x, 5.0);
 }
+
+#[test]
+fn several_objects_leave_in_one_go_and_the_others_keep_their_order() {
+    let mut level = Level::new();
+    let walkers = [0.0, 1.0, 2.0, 3.0].map(|x| Walker::add_to(&mut level, x, None));
+    let nodes = [1, 3].map(|place: usize| walkers[place].borrow().node);
+    level.remove_all(&nodes);
+    level.remove_all(&nodes);
+    level.update(1.0);
+    let now: Vec<f32> = walkers.iter().map(|walker| walker.borrow().x).collect();
+    assert_eq!(now, [1.0, 1.0, 3.0, 3.0]);
+    assert_eq!((level.objects().len(), level.graph.len()), (2, 2));
+}

@@ -1,6 +1,6 @@
 //! The same scene, the same bits, two layouts: time of a step and of each of its passes.
 //!
-//! `cargo run --release -p ch05_properties --no-default-features --example against_objects [SCENE COUNT [STEPS]]`
+//! `cargo run --release -p ch05_properties --no-default-features --example against_objects [SCENE COUNT [STEPS [ENGINE]]]`
 
 use std::time::{Duration, Instant};
 
@@ -13,10 +13,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let name = args.next().unwrap_or_else(|| "balls".to_owned());
     let count = args.next().map(|count| count.parse()).transpose()?;
     let steps: u32 = args.next().map_or(Ok(300), |steps| steps.parse())?;
+    let only = args.next();
     let scene = Scene::open(&name, count, None)?;
     let settings = Settings::defaults();
     let full = |_: &Scene, method| Plan::full(method);
-    let mut engines: [(&str, Box<dyn Engine>); 3] = [
+    let mut engines: Vec<(&str, Box<dyn Engine>)> = vec![
         ("objects", (ch04_ragdolls::ENGINE.load)(&scene, &settings)?),
         (
             "all columns",
@@ -27,41 +28,40 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             Box::new(PropertiesEngine::load(&scene, &settings)?),
         ),
     ];
-    let mut times = vec![Vec::new(); 3];
-    let mut passes: Vec<Vec<PassTime>> = vec![Vec::new(); 3];
+    engines.retain(|(name, _)| only.as_ref().is_none_or(|only| only == name));
+    let mut times = vec![Vec::new(); engines.len()];
+    let mut passes: Vec<Vec<Vec<PassTime>>> = vec![Vec::new(); engines.len()];
     for _ in 0..steps {
         for (k, (_, engine)) in engines.iter_mut().enumerate() {
             let start = Instant::now();
             engine.step(scene.dt as f32);
             times[k].push(start.elapsed());
-            add(&mut passes[k], &engine.pass_times());
+            passes[k].push(engine.pass_times());
         }
     }
-    for (k, (name, _)) in engines.iter().enumerate() {
+    for (k, (name, engine)) in engines.iter().enumerate() {
         times[k].sort_unstable();
         println!(
             "{name:<12} median step {:>9.3} ms",
             ms(times[k][times[k].len() / 2])
         );
-        for pass in &passes[k] {
-            println!(
-                "    {:<22}{:>9.4} ms",
-                pass.name,
-                ms(pass.time) / f64::from(steps)
-            );
+        for (place, pass) in passes[k][0].iter().enumerate() {
+            let time = median(passes[k].iter().map(|passes| passes[place].time));
+            println!("    {:<22}{:>9.4} ms", pass.name, ms(time));
         }
+        let counters = engine.counters();
+        println!(
+            "    {} pairs, {} contacts",
+            counters.pairs, counters.contacts
+        );
     }
     Ok(())
 }
 
-fn add(sums: &mut Vec<PassTime>, times: &[PassTime]) {
-    if sums.is_empty() {
-        sums.extend_from_slice(times);
-    } else {
-        for (sum, time) in sums.iter_mut().zip(times) {
-            sum.time += time.time;
-        }
-    }
+fn median(times: impl Iterator<Item = Duration>) -> Duration {
+    let mut times: Vec<Duration> = times.collect();
+    times.sort_unstable();
+    times[times.len() / 2]
 }
 
 fn ms(time: Duration) -> f64 {

@@ -10,7 +10,7 @@ mod joints;
 mod motions;
 
 pub use bodies::{BALL, Bodies, Body, shape_columns, shape_of};
-pub use contacts::{Contact, Contacts};
+pub use contacts::{Contact, Contacts, Touch, Touches};
 pub use forces::{FixedPoint, FixedPoints, Pole, Poles, Spring, Springs};
 pub use joints::{
     Joint, JointKind, Joints, Limit, Limits, NONE, Pin, Pins, Rod, Rods, Tree, Trees, Turn, Turns,
@@ -32,6 +32,8 @@ pub struct Data {
     pub motions: Motions,
     /// Where bodies touch.
     pub contacts: Contacts,
+    /// The contacts again, by pairs of bodies, in the order of visits.
+    pub touches: Touches,
     /// What joins bodies, in the order in which a step visits it.
     pub joints: Joints,
     /// Joints that are a point.
@@ -56,11 +58,12 @@ pub struct Data {
 impl Data {
     /// All tables, in order.
     #[must_use]
-    pub fn tables(&self) -> [&dyn AnyTable; 12] {
+    pub fn tables(&self) -> [&dyn AnyTable; 13] {
         [
             &self.bodies,
             &self.motions,
             &self.contacts,
+            &self.touches,
             &self.joints,
             &self.pins,
             &self.rods,
@@ -74,11 +77,12 @@ impl Data {
     }
 
     /// The same, to be changed.
-    pub fn tables_mut(&mut self) -> [&mut dyn AnyTable; 12] {
+    pub fn tables_mut(&mut self) -> [&mut dyn AnyTable; 13] {
         [
             &mut self.bodies,
             &mut self.motions,
             &mut self.contacts,
+            &mut self.touches,
             &mut self.joints,
             &mut self.pins,
             &mut self.rods,

@@ -28,6 +28,10 @@ pub enum Part {
     Printed,
     /// Something can turn.
     Turning,
+    /// Something that moves isn't a ball, or is joined: its inertia has axes.
+    Axes,
+    /// All that turns are free balls: one number of inertia does for each.
+    Round,
     /// Something is turned, even if it stays so.
     Orientations,
     /// Two bodies could touch.
@@ -57,10 +61,12 @@ pub enum Part {
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 15] = [
+    pub const ALL: [Part; 17] = [
         Part::Corrected,
         Part::Printed,
         Part::Turning,
+        Part::Axes,
+        Part::Round,
         Part::Orientations,
         Part::Collisions,
         Part::Resolution,
@@ -82,6 +88,8 @@ impl Part {
             Part::Corrected => "the corrected method",
             Part::Printed => "the printed method",
             Part::Turning => "turning",
+            Part::Axes => "axes of inertia",
+            Part::Round => "inertia in one number",
             Part::Orientations => "orientations",
             Part::Collisions => "collisions",
             Part::Resolution => "resolution",
@@ -104,6 +112,8 @@ impl Part {
             Part::Corrected => "the method is the printed one",
             Part::Printed => "the method is the corrected one",
             Part::Turning => "all that moves are balls without friction and without spin",
+            Part::Axes => "all that moves are balls, and nothing joins them",
+            Part::Round => "not all that moves are balls that turn freely",
             Part::Orientations => "nothing is turned and nothing can turn",
             Part::Collisions => "no two bodies could touch",
             Part::Resolution => "nothing touches and nothing is joined",
@@ -140,15 +150,21 @@ impl Plan {
         Self::from(|part| match part {
             Part::Corrected | Part::Friction => method == Method::Corrected,
             Part::Printed => method == Method::Printed,
+            Part::Round => false,
             _ => true,
         })
     }
     // ANCHOR_END: plan
 
     fn from(has: impl Fn(Part) -> bool) -> Self {
-        Self {
-            has: Part::ALL.map(has),
-        }
+        let has = Part::ALL.map(has);
+        Self { has }.settled()
+    }
+
+    /// One of two parts stands for the other's absence.
+    fn settled(mut self) -> Self {
+        self.has[Part::Round as usize] = self.has(Part::Turning) && !self.has(Part::Axes);
+        self
     }
 
     /// The same with one part more, and with those that it can't do without.
@@ -156,22 +172,29 @@ impl Plan {
     pub fn with(mut self, part: Part) -> Self {
         let also: &[Part] = match part {
             Part::Turning => &[Part::Orientations],
-            Part::Friction | Part::Forces => &[Part::Turning, Part::Orientations],
-            Part::Joints => &[Part::Turning, Part::Orientations, Part::Resolution],
-            Part::Rods | Part::Limits => &[
-                Part::Joints,
+            Part::Axes | Part::Friction | Part::Forces => &[Part::Turning, Part::Orientations],
+            Part::Joints => &[
+                Part::Axes,
                 Part::Turning,
                 Part::Orientations,
                 Part::Resolution,
             ],
-            Part::Mouse | Part::FixedPoints => &[Part::Forces, Part::Turning, Part::Orientations],
+            Part::Rods | Part::Limits => &[
+                Part::Joints,
+                Part::Axes,
+                Part::Turning,
+                Part::Orientations,
+                Part::Resolution,
+            ],
+            Part::Mouse => &[Part::Forces, Part::Turning, Part::Orientations],
+            Part::FixedPoints => &[Part::Forces, Part::Axes, Part::Turning, Part::Orientations],
             Part::Collisions => &[Part::Resolution],
             _ => &[],
         };
         for &part in also.iter().chain(&[part]) {
             self.has[part as usize] = true;
         }
-        self
+        self.settled()
     }
 
     /// What either has.

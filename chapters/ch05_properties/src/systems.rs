@@ -13,6 +13,7 @@ pub mod narrow_phase;
 pub mod printed;
 pub mod resolving;
 pub mod velocities;
+pub mod visits;
 
 use glam::Vec3;
 

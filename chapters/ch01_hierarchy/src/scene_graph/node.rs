@@ -47,12 +47,14 @@ impl SceneNode {
 
     /// Where it is in its parent.
     #[must_use]
+    #[inline]
     pub fn local(&self) -> Transform {
         self.local
     }
 
     /// Where it was in the world at the last [`update_world`](super::SceneGraph::update_world).
     #[must_use]
+    #[inline]
     pub fn world(&self) -> Transform {
         self.world
     }

@@ -6,8 +6,11 @@ mod entity;
 // ANCHOR: glow
 mod glow;
 // ANCHOR_END: glow
+mod living;
 mod placement;
+// ANCHOR: spinning
 mod spin;
+// ANCHOR_END: spinning
 
 use super::items::{Item, Kind};
 use super::{Bytes, Style};
@@ -17,12 +20,19 @@ use entity::{Component, Entity};
 // ANCHOR: glow
 use glow::Glow;
 // ANCHOR_END: glow
+use living::Place;
 use placement::Placement;
+// ANCHOR: spinning
 use spin::Spin;
+// ANCHOR_END: spinning
 
 /// The scene: a list of entities, each after its parent.
 pub struct World {
     entities: Vec<Entity>,
+    /// Whether an entity is there, and how many were before.
+    places: Vec<Place>,
+    /// Places without an entity, the one to be used next at the end.
+    free: Vec<u32>,
 }
 
 // ANCHOR: make
@@ -31,12 +41,14 @@ fn make(item: &Item) -> Entity {
     if item.kind != Kind::Spinner {
         entity.add(Circle::new(item));
     }
+    // ANCHOR: spinning
     if item.kind != Kind::Orbiter {
         entity.add(Spin::new(item));
         // ANCHOR: glow
         entity.add(Glow::default());
         // ANCHOR_END: glow
     }
+    // ANCHOR_END: spinning
     entity
 }
 // ANCHOR_END: make
@@ -64,8 +76,11 @@ impl Style for World {
     const NAME: &'static str = "components";
 
     fn build(items: &[Item]) -> Self {
-        let entities = items.iter().map(make).collect();
-        Self { entities }
+        Self {
+            entities: items.iter().map(make).collect(),
+            places: vec![Place::FIRST; items.len()],
+            free: Vec::new(),
+        }
     }
 
     fn update(&mut self, dt: f32) {

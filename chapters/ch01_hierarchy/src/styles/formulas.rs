@@ -8,6 +8,7 @@ use glam::{Quat, Vec2, Vec3};
 // ANCHOR: formulas
 /// An angle (rad) after `dt` seconds at `rate` (rad/s), kept within one turn of zero.
 #[must_use]
+#[inline]
 pub fn advance(angle: f32, rate: f32, dt: f32) -> f32 {
     let next = angle + rate * dt;
     if next.abs() < TAU { next } else { next % TAU }
@@ -15,6 +16,7 @@ pub fn advance(angle: f32, rate: f32, dt: f32) -> f32 {
 
 /// The point at `angle` (rad) on a circle of `radius` (m) about y.
 #[must_use]
+#[inline]
 pub fn circle(radius: f32, angle: f32) -> Vec3 {
     let direction = Vec2::from_angle(angle);
     Vec3::new(radius * direction.x, 0.0, -radius * direction.y)
@@ -22,6 +24,7 @@ pub fn circle(radius: f32, angle: f32) -> Vec3 {
 
 /// A turn by `angle` (rad) about y.
 #[must_use]
+#[inline]
 pub fn turn(angle: f32) -> Quat {
     Quat::from_rotation_y(angle)
 }
@@ -29,6 +32,7 @@ pub fn turn(angle: f32) -> Quat {
 /// Brightness after `dt` seconds: creeps towards the rate of spin (rad/s), to within 1/e of
 /// it in half a second.
 #[must_use]
+#[inline]
 pub fn follow(glow: f32, spin: f32, dt: f32) -> f32 {
     glow + (spin.abs() - glow) * (2.0 * dt).min(1.0)
 }

@@ -4,31 +4,43 @@
 //! Rust has no inheritance; a base class becomes two things. Its fields are a struct that the
 //! derived one embeds, its virtual functions are a trait whose default bodies are inherited.
 
+mod living;
 mod orbiter;
 mod scene_object;
+// ANCHOR: spinning
 mod spinner;
 mod spinning_orbiter;
+// ANCHOR_END: spinning
 
 use super::items::{Item, Kind};
 use super::{Bytes, Style};
 use crate::Transform;
+use living::Entry;
 use orbiter::Orbiter;
 use scene_object::{SceneObject, walk};
+// ANCHOR: spinning
 use spinner::Spinner;
 use spinning_orbiter::SpinningOrbiter;
+// ANCHOR_END: spinning
 
 /// The scene: its roots own everything.
 pub struct World {
     roots: Vec<Box<dyn SceneObject>>,
+    /// Rows of a column: a slot that nobody lives in keeps its row.
     count: usize,
+    directory: Vec<Entry>,
+    /// Slots without an object, the one to be used next at the end.
+    free: Vec<u32>,
 }
 
 // ANCHOR: make
 fn make(id: usize, item: &Item) -> Box<dyn SceneObject> {
     match item.kind {
         Kind::Orbiter => Box::new(Orbiter::new(id, item)),
+        // ANCHOR: spinning
         Kind::Spinner => Box::new(Spinner::new(id, item)),
         Kind::SpinningOrbiter => Box::new(SpinningOrbiter::new(id, item)),
+        // ANCHOR_END: spinning
     }
 }
 // ANCHOR_END: make
@@ -60,7 +72,13 @@ impl Style for World {
             }
         }
         let count = items.len();
-        Self { roots, count }
+        let directory = Self::directory_of(&roots, count);
+        Self {
+            roots,
+            count,
+            directory,
+            free: Vec::new(),
+        }
     }
 
     fn update(&mut self, dt: f32) {

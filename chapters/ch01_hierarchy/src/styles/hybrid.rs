@@ -3,10 +3,13 @@
 //! are chapters 1 to 4.
 
 mod circle;
+mod living;
 mod orbiter;
+// ANCHOR: spinning
 mod spin;
 mod spinner;
 mod spinning_orbiter;
+// ANCHOR_END: spinning
 
 use std::cell::RefCell;
 
@@ -18,9 +21,11 @@ use orbiter::Orbiter;
 // ANCHOR: glow
 use spin::Glowing;
 // ANCHOR_END: glow
+// ANCHOR: spinning
 use spin::Spin;
 use spinner::Spinner;
 use spinning_orbiter::SpinningOrbiter;
+// ANCHOR_END: spinning
 
 // ANCHOR: world
 /// The scene: a level, and its nodes in the order of the items.
@@ -35,13 +40,15 @@ pub struct World {
 
 impl World {
     // ANCHOR: make
-    fn make(&mut self, item: &Item) {
-        let parent = item.parent.map(|parent| self.nodes[parent]);
+    fn make(&mut self, item: &Item, parent: Option<NodeId>) -> NodeId {
         let place = Transform::from_translation(formulas::circle(item.radius, item.phase));
         let node = self.level.graph.add("", parent, place);
-        let (circle, spin) = (Circle::new(item), Spin::new(item));
+        let circle = Circle::new(item);
+        // ANCHOR: spinning
+        let spin = Spin::new(item);
+        // ANCHOR_END: spinning
         match item.kind {
-            Kind::Orbiter => drop(self.level.add(Orbiter { node, circle })),
+            // ANCHOR: spinning
             Kind::Spinner => {
                 // ANCHOR: glow
                 let spinner = self.level.add(Spinner { node, spin });
@@ -54,8 +61,11 @@ impl World {
                 self.glowing.push((self.nodes.len(), both));
                 // ANCHOR_END: glow
             }
+            // ANCHOR_END: spinning
+            Kind::Orbiter => drop(self.level.add(Orbiter { node, circle })),
         }
         self.nodes.push(node);
+        node
     }
     // ANCHOR_END: make
 
@@ -78,7 +88,8 @@ impl Style for World {
             // ANCHOR_END: glow
         };
         for item in items {
-            world.make(item);
+            let parent = item.parent.map(|parent| world.nodes[parent]);
+            world.make(item, parent);
         }
         world
     }

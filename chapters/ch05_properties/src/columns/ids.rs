@@ -68,6 +68,7 @@ impl Ids {
 
     // ANCHOR: row
     /// Where the row with this ID is; None once it is gone.
+    #[inline]
     #[must_use]
     pub fn row(&self, id: RowId) -> Option<usize> {
         match &self.moved {
@@ -83,6 +84,7 @@ impl Ids {
     // ANCHOR_END: row
 
     /// The ID of a row; None if there is no such row.
+    #[inline]
     #[must_use]
     pub fn id(&self, row: usize) -> Option<RowId> {
         if row >= self.rows {

@@ -38,6 +38,12 @@ pub trait Table: AnyTable {
     /// Adds a row; gives its ID. Values of columns that the plan left out are dropped.
     fn push(&mut self, row: Self::Row) -> RowId;
 
+    /// Makes it have so many rows of zeros, for a table whose rows have no lives of their own.
+    fn resize(&mut self, rows: usize);
+
+    /// Sets all values of a row that there is.
+    fn set(&mut self, row: usize, values: Self::Row);
+
     /// Gathers a row; None if it isn't there. Columns that the plan left out give their zero.
     fn row(&self, row: usize) -> Option<Self::Row>;
 }
@@ -104,6 +110,7 @@ pub trait AnyTable {
 }
 
 // ANCHOR: macro
+// ANCHOR: takes
 /// States a table's columns once: name, type, symbol, unit, and what each is, as its doc comment.
 ///
 /// Gives the struct of columns, the struct of a row, and the schema.
@@ -131,6 +138,8 @@ macro_rules! table {
             $($(#[doc = $doc])+ pub $column: $Value,)+
         }
 
+        // ANCHOR_END: takes
+        // ANCHOR: gives
         impl $crate::columns::Table for $Table {
             const NAME: &'static str = $name;
             const ABOUT: &'static str = concat!($($about),+).trim_ascii();
@@ -151,12 +160,24 @@ macro_rules! table {
                 self.ids.push()
             }
 
+            fn resize(&mut self, rows: usize) {
+                $(self.$column.fill_rows(rows, Default::default());)+
+                self.ids.set_rows(rows);
+            }
+
+            fn set(&mut self, row: usize, values: $Row) {
+                $(if let Some(place) = self.$column.get_mut(row) {
+                    *place = values.$column;
+                })+
+            }
+
             fn row(&self, row: usize) -> Option<$Row> {
                 (row < self.ids.rows()).then(|| $Row {
                     $($column: self.$column.get(row).copied().unwrap_or_default(),)+
                 })
             }
         }
+        // ANCHOR_END: gives
         // ANCHOR_END: macro
 
         impl $crate::columns::AnyTable for $Table {

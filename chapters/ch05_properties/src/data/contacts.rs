@@ -52,3 +52,23 @@ crate::table! {
         static_friction: f32, "μ_s", "";
     }
 }
+
+crate::table! {
+    /// Runs of contacts between the same two bodies, in the order in which sweeps visit them.
+    pub struct Touches of
+    /// A touch.
+    Touch in "touches" {
+        /// Row of its first contact.
+        first: u32, "first", "";
+        /// Row after its last contact.
+        end: u32, "end", "";
+        /// Row of body 1.
+        a: u32, "1", "";
+        /// Row of body 2.
+        b: u32, "2", "";
+        /// How many touches before it must have been visited, one after the other.
+        level: u32, "level", "";
+        /// The visit that last looked at it.
+        seen: u32, "seen", "";
+    }
+}

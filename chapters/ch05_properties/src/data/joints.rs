@@ -41,6 +41,10 @@ crate::table! {
         arm_parent: Vec3, "t₁", "m";
         /// From the child's centre to its point.
         arm_child: Vec3, "t₂", "m";
+        /// The visit that last looked at it.
+        seen: u32, "seen", "";
+        /// How far off that visit found it.
+        off: f32, "off", "m";
     }
 }
 

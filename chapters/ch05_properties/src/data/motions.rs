@@ -18,6 +18,10 @@ crate::table! {
         turn: Vec3, "Δq", "rad";
         /// I⁻¹ in world axes.
         inverse_inertia: Mat3, "M", "1/(kg m²)";
+        /// I⁻¹ of a ball.
+        inverse_moment: f32, "1/I", "1/(kg m²)";
+        /// The visit that last changed it.
+        changed: u32, "changed", "";
         /// What torques change its angular velocity by in half a step.
         spin_kick: Vec3, "½Δω", "rad/s";
     }

@@ -1,8 +1,8 @@
 //! Which part each column belongs to. A column is allocated if the plan has all of its parts.
 
 use super::Part::{
-    self, Bouncing, Collisions, Corrected, FixedPoints, Forces, Friction, Joints, Limits, Mouse,
-    Orientations, Resolution, Rods, Turning,
+    self, Axes, Bouncing, Collisions, Corrected, FixedPoints, Forces, Friction, Joints, Limits,
+    Mouse, Orientations, Resolution, Rods, Round, Turning,
 };
 
 // ANCHOR: needs_of
@@ -11,8 +11,10 @@ use super::Part::{
 pub fn needs_of(table: &str, column: &str) -> &'static [Part] {
     match (table, column) {
         ("bodies", column) => needs_of_bodies(column),
-        ("motions", "velocity" | "shift") => &[Resolution, Corrected],
-        ("motions", "inverse_inertia") => &[Resolution, Turning],
+        ("touches", _) => &[Collisions, Corrected],
+        ("motions", "velocity" | "shift" | "changed") => &[Resolution, Corrected],
+        ("motions", "inverse_inertia") => &[Resolution, Turning, Axes],
+        ("motions", "inverse_moment") => &[Resolution, Corrected, Round],
         ("motions", _) => &[Resolution, Turning, Corrected],
         ("contacts", column) => needs_of_contacts(column),
         ("joints" | "pins" | "trees", _) => &[Joints],

@@ -14,6 +14,9 @@ pub fn needs(scene: &Scene, method: Method, part: Part) -> bool {
         Part::Corrected => corrected,
         Part::Printed => !corrected,
         Part::Turning => !corrected || something_turns(scene),
+        Part::Axes => {
+            needs(scene, method, Part::Turning) && (!corrected || something_has_axes(scene))
+        }
         Part::Orientations => {
             needs(scene, method, Part::Turning) || scene.bodies.iter().any(is_turned)
         }
@@ -26,7 +29,7 @@ pub fn needs(scene: &Scene, method: Method, part: Part) -> bool {
         Part::Limits => scene.joints.iter().any(limits_angles),
         Part::Forces => !scene.forces.is_empty(),
         Part::FixedPoints => scene.forces.iter().any(|force| held(force).is_some()),
-        Part::Mouse | Part::Obstacles => false,
+        Part::Round | Part::Mouse | Part::Obstacles => false,
     }
 }
 // ANCHOR_END: needs
@@ -48,6 +51,13 @@ fn something_turns(scene: &Scene) -> bool {
     !scene.joints.is_empty() || !scene.forces.is_empty() || movers(scene).any(could_turn)
 }
 // ANCHOR_END: turns
+
+/// Whether the inertia of something that moves depends on how it is turned. Joints reckon with axes.
+fn something_has_axes(scene: &Scene) -> bool {
+    !scene.joints.is_empty()
+        || scene.forces.iter().any(|force| held(force).is_some())
+        || movers(scene).any(|body| !matches!(body.shape, Shape::Sphere { .. }))
+}
 
 fn is_turned(body: &Body) -> bool {
     body.orientation != DQuat::IDENTITY

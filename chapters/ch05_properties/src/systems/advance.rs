@@ -42,7 +42,6 @@ pub fn positions(
 // ANCHOR: orientations
 /// q⁺ by the free turn of the angular momentum; q becomes q*. Gives how many turns were too fast to be
 /// read.
-#[expect(clippy::too_many_arguments, reason = "a system names its columns")]
 pub fn orientations(
     orientation: &mut [Quat],
     last_orientation: &mut [Quat],
@@ -115,7 +114,6 @@ pub fn orientations_printed(
 
 // ANCHOR: fixed_points
 /// A body on a fixed point is where its turn leads it.
-#[expect(clippy::too_many_arguments, reason = "a system names its columns")]
 pub fn fixed_points(
     body: &[u32],
     point: &[Vec3],

@@ -10,10 +10,10 @@ use ch03_collision::{Rules, Span};
 use glam::Vec3;
 
 use super::broad_phase::is_ball;
-use super::movers::Movers;
+use super::movers::{Movers, Pair};
 use super::{Pull, or_zero};
 use crate::columns::AnyTable;
-use crate::data::{Bodies, Contacts};
+use crate::data::{Bodies, Contacts, Touches};
 
 // ANCHOR: prepare
 /// Works out what stays the same during all sweeps.
@@ -44,9 +44,10 @@ pub fn prepare(
             )
         };
         let (r1, r2) = (arm(a), arm(b));
-        let on = |row: usize| pull.on(row, movers.inverse_mass(row));
-        let closing = (on(b) - on(a)).dot(n);
-        let u = movers.relative_velocity(a, r1, b, r2).dot(n);
+        let pair = movers.moving_pair(a, b);
+        let [w1, w2] = pair.inverse_masses();
+        let closing = (pull.on(b, w2) - pull.on(a, w1)).dot(n);
+        let u = pair.relative_velocity(r1, r2).dot(n);
         let slowest = contact::slowest_impact(rules.restitution_threshold, closing, span.dt);
         let slop = contact::slop(u, closing, depth, e, slowest, rules.slop);
         contacts.arm_a[c] = r1;
@@ -55,13 +56,13 @@ pub fn prepare(
         contacts.gap_speed[c] = contact::gap_speed(depth, span.dt);
         contacts.closing[c] = closing;
         contacts.slowest_impact[c] = slowest;
-        contacts.response[c] = movers.response(a, r1, b, r2, n);
+        contacts.response[c] = pair.response(r1, r2, n);
         contacts.support[c] *= span.longer;
         set(&mut contacts.restitution, c, e);
         if let Some(rub) = contacts.rub.get_mut(c) {
             *rub = contact::sliding(*rub, n) * span.longer;
             let (across_1, across_2) = n.any_orthonormal_pair();
-            let across = |u| movers.response(a, r1, b, r2, u);
+            let across = |u| pair.response(r1, r2, u);
             contacts.response_across[c] = across(across_1).max(across(across_2));
             contacts.friction[c] = mixed(&bodies.friction, mixed_friction);
             contacts.static_friction[c] = static_friction;
@@ -116,18 +117,47 @@ pub fn against_static<'a>(
     found
 }
 
-/// v_r at a contact, m/s.
-#[inline]
-fn relative_velocity(contacts: &Contacts, c: usize, movers: &impl Movers) -> Vec3 {
-    let (a, b) = (contacts.a[c] as usize, contacts.b[c] as usize);
-    movers.relative_velocity(a, contacts.arm_a[c], b, contacts.arm_b[c])
+/// A run of contacts between two bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Run {
+    /// Row of its first contact.
+    pub first: usize,
+    /// Row after its last contact.
+    pub end: usize,
+    /// Row of body 1.
+    pub a: usize,
+    /// Row of body 2.
+    pub b: usize,
 }
 
-/// The impulse on body 1, N s, and its opposite on body 2.
+/// A row of the touches.
 #[inline]
-fn apply(contacts: &Contacts, c: usize, movers: &mut impl Movers, impulse: Vec3) {
-    movers.push(contacts.a[c] as usize, contacts.arm_a[c], impulse);
-    movers.push(contacts.b[c] as usize, contacts.arm_b[c], -impulse);
+#[must_use]
+pub fn run(touches: &Touches, touch: usize) -> Run {
+    Run {
+        first: touches.first[touch] as usize,
+        end: touches.end[touch] as usize,
+        a: touches.a[touch] as usize,
+        b: touches.b[touch] as usize,
+    }
+}
+
+/// One contact alone.
+#[inline]
+#[must_use]
+pub fn alone(contacts: &Contacts, c: usize) -> Run {
+    Run {
+        first: c,
+        end: c + 1,
+        a: contacts.a[c] as usize,
+        b: contacts.b[c] as usize,
+    }
+}
+
+/// The contact's arms, r₁ and r₂.
+#[inline]
+fn arms(contacts: &Contacts, c: usize) -> (Vec3, Vec3) {
+    (contacts.arm_a[c], contacts.arm_b[c])
 }
 
 // ANCHOR: part
@@ -136,71 +166,50 @@ fn apply(contacts: &Contacts, c: usize, movers: &mut impl Movers, impulse: Vec3)
 #[inline]
 pub fn part(contacts: &mut Contacts, c: usize, movers: &mut impl Movers) -> f32 {
     let (a, b) = (contacts.a[c] as usize, contacts.b[c] as usize);
-    let (r1, r2) = (contacts.arm_a[c], contacts.arm_b[c]);
+    let (r1, r2) = arms(contacts, c);
     let normal = contacts.normal[c];
-    let parted = movers.nudged(a, r1) - movers.nudged(b, r2);
-    let left = contacts.excess[c] - normal.dot(parted);
+    let left = contacts.excess[c] - normal.dot(movers.nudged_apart(a, r1, b, r2));
     let pushed = contact::accumulated(contacts.pushed[c], left);
     let change = pushed - contacts.pushed[c];
     if change != 0.0 {
         contacts.pushed[c] = pushed;
-        let nudge = normal * (change / contacts.response[c]);
-        movers.nudge(a, r1, nudge);
-        movers.nudge(b, r2, -nudge);
+        movers.nudge_apart(a, r1, b, r2, normal * (change / contacts.response[c]));
     }
     change.abs()
 }
 // ANCHOR_END: part
 
-// ANCHOR: pairs
-/// Calls `visit` with the rows of each touch: contacts of the same two bodies stand together.
-#[inline]
-pub fn each_touch(contacts: &mut Contacts, mut visit: impl FnMut(&mut Contacts, usize, usize)) {
-    let rows = contacts.rows();
-    let mut first = 0;
-    while first < rows {
-        let pair = (contacts.a[first], contacts.b[first]);
-        let mut end = first + 1;
-        while end < rows && (contacts.a[end], contacts.b[end]) == pair {
-            end += 1;
-        }
-        visit(contacts, first, end);
-        first = end;
-    }
-}
-// ANCHOR_END: pairs
-
 /// Takes from a body's speed what its lift out of an obstacle costs. Of a touch's contacts the one that
 /// lifted furthest pays for all.
-pub fn pay_for_lift(contacts: &Contacts, first: usize, end: usize, movers: &mut impl Movers) {
+pub fn pay_for_lift(contacts: &Contacts, run: Run, pair: &mut impl Pair) {
     let further = |&c: &usize, &d: &usize| contacts.pushed[c].total_cmp(&contacts.pushed[d]);
-    let Some(c) = (first..end).max_by(further) else {
+    let Some(c) = (run.first..run.end).max_by(further) else {
         return;
     };
     let closing = contacts.closing[c];
     let e = or_zero(&contacts.restitution, c);
-    if !is_against_static(contacts, c, movers) || closing <= 0.0 || e == 0.0 {
+    let [w1, w2] = pair.inverse_masses();
+    if (w1 != 0.0 && w2 != 0.0) || closing <= 0.0 || e == 0.0 {
         return;
     }
-    let (a, b) = (contacts.a[c] as usize, contacts.b[c] as usize);
-    let (moving, out) = if movers.inverse_mass(a) > 0.0 {
-        (a, contacts.normal[c])
+    let (moving, out, weight) = if w1 > 0.0 {
+        (0, contacts.normal[c], w1)
     } else {
-        (b, -contacts.normal[c])
+        (1, -contacts.normal[c], w2)
     };
-    let weight = movers.inverse_mass(moving);
     let lift = contacts.pushed[c] * weight / contacts.response[c];
-    let v = movers.velocity(moving);
+    let v = pair.velocity(moving);
     if let Some(paid) = contact::pay_for_lift(v, out, closing, lift, weight) {
-        movers.push(moving, Vec3::ZERO, paid);
+        pair.push_one(moving, paid);
     }
 }
 
 /// The speed of approach at the surface, m/s, if that is an impact.
 #[inline]
-fn impact_speed(contacts: &Contacts, c: usize, movers: &impl Movers) -> Option<f32> {
+fn impact_speed(contacts: &Contacts, c: usize, pair: &impl Pair) -> Option<f32> {
+    let (r1, r2) = arms(contacts, c);
     contact::impact_speed(
-        relative_velocity(contacts, c, movers).dot(contacts.normal[c]),
+        pair.relative_velocity(r1, r2).dot(contacts.normal[c]),
         contacts.gap_speed[c],
         or_zero(&contacts.restitution, c),
         contacts.closing[c],
@@ -211,24 +220,21 @@ fn impact_speed(contacts: &Contacts, c: usize, movers: &impl Movers) -> Option<f
 
 /// How many contacts are still impacts.
 pub fn impacts_left(contacts: &Contacts, movers: &impl Movers) -> usize {
-    let is_one = |&c: &usize| impact_speed(contacts, c, movers).is_some();
+    let is_one = |&c: &usize| {
+        let Run { a, b, .. } = alone(contacts, c);
+        impact_speed(contacts, c, &movers.moving_pair(a, b)).is_some()
+    };
     (0..contacts.rows()).filter(is_one).count()
 }
 
 // ANCHOR: impact
 /// An impact of two bodies at these contacts: they part with e times the speed that they had at the
 /// surface. Says whether it was one.
-pub fn impact(
-    contacts: &mut Contacts,
-    first: usize,
-    end: usize,
-    movers: &mut impl Movers,
-    rules: Rules,
-) -> bool {
+pub fn impact(contacts: &mut Contacts, run: Run, pair: &mut impl Pair, rules: Rules) -> bool {
     let mut hits = [(0, 0.0, 0.0); MOST_SPOTS];
     let mut count = 0;
-    for c in first..end {
-        if let Some(speed) = impact_speed(contacts, c, movers) {
+    for c in run.first..run.end {
+        if let Some(speed) = impact_speed(contacts, c, pair) {
             hits[count] = (c, or_zero(&contacts.restitution, c) * speed, 0.0);
             count += 1;
         }
@@ -237,76 +243,98 @@ pub fn impact(
     let visits = if count > 1 { rules.sweeps } else { 1 };
     for _ in 0..visits {
         for (c, parting, sum) in &mut *hits {
+            let (r1, r2) = arms(contacts, *c);
             let n = contacts.normal[*c];
-            let missing = *parting - relative_velocity(contacts, *c, movers).dot(n);
+            let missing = *parting - pair.relative_velocity(r1, r2).dot(n);
             let normal = contact::accumulated(*sum, missing / contacts.response[*c]);
-            give(contacts, *c, movers, (normal - *sum) * n);
+            let impulse = (normal - *sum) * n;
+            pair.push(r1, r2, impulse);
+            contacts.impact[*c] += impulse;
             *sum = normal;
         }
     }
     for &(c, _, normal) in &*hits {
         if let Some(&across) = contacts.response_across.get(c) {
-            let v_r = relative_velocity(contacts, c, movers);
-            let wanted = -contact::sliding(v_r, contacts.normal[c]) / across;
+            let (r1, r2) = arms(contacts, c);
+            let sliding = contact::sliding(pair.relative_velocity(r1, r2), contacts.normal[c]);
             let (mu_s, mu) = (contacts.static_friction[c], contacts.friction[c]);
-            give(contacts, c, movers, coulomb(wanted, normal, mu_s, mu));
+            let friction = coulomb(-sliding / across, normal, mu_s, mu);
+            pair.push(r1, r2, friction);
+            contacts.impact[c] += friction;
         }
     }
     count > 0
 }
 // ANCHOR_END: impact
 
-/// An impulse that no sweep takes back, N s.
-#[inline]
-fn give(contacts: &mut Contacts, c: usize, movers: &mut impl Movers, impulse: Vec3) {
-    apply(contacts, c, movers, impulse);
-    contacts.impact[c] += impulse;
-}
-
 /// Begins with what the contact carried in the last step.
 #[inline]
-pub fn resume(contacts: &Contacts, c: usize, movers: &mut impl Movers) {
+pub fn resume(contacts: &Contacts, c: usize, pair: &mut impl Pair) {
+    let (r1, r2) = arms(contacts, c);
     let carried = contacts.support[c] * contacts.normal[c] + or_zero(&contacts.rub, c);
-    apply(contacts, c, movers, carried);
+    pair.push(r1, r2, carried);
+}
+
+/// What a visit did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Mended {
+    /// It changed something.
+    pub anything: bool,
+    /// It changed something by so much that another sweep is worth while.
+    pub much: bool,
 }
 
 // ANCHOR: hold
-/// Mends the support and then the friction of a contact. Says whether that changed anything worth
-/// another sweep.
+/// Mends the support and then the friction of a contact.
 #[inline]
-pub fn hold(contacts: &mut Contacts, c: usize, movers: &mut impl Movers, rules: Rules) -> bool {
+pub fn hold(contacts: &mut Contacts, c: usize, pair: &mut impl Pair, rules: Rules) -> Mended {
+    let (r1, r2) = arms(contacts, c);
     let n = contacts.normal[c];
     let (gap_speed, response) = (contacts.gap_speed[c], contacts.response[c]);
-    let u = relative_velocity(contacts, c, movers).dot(n);
+    let u = pair.relative_velocity(r1, r2).dot(n);
     let e = or_zero(&contacts.restitution, c);
     if contact::is_let_come(u, gap_speed, e, contacts.slowest_impact[c]) {
-        return false;
+        return Mended::default();
     }
     let before = contacts.support[c];
     let support = contact::accumulated(before, -(u + gap_speed) / response);
     if support == 0.0 && before == 0.0 {
-        return false;
+        return Mended::default();
     }
     let change = support - before;
-    apply(contacts, c, movers, change * n);
+    pair.push(r1, r2, change * n);
     contacts.support[c] = support;
-    let rubbed = rub(contacts, c, movers, support);
-    change.abs() * response > rules.still || rubbed > rules.still
+    let rubbed = rub(contacts, c, pair, support, rules);
+    Mended {
+        anything: change != 0.0 || rubbed.anything,
+        much: change.abs() * response > rules.still || rubbed.much,
+    }
 }
 
-/// The friction under this support; gives the change of velocity that it made, m/s.
+/// Mends the friction under this support.
 #[inline]
-fn rub(contacts: &mut Contacts, c: usize, movers: &mut impl Movers, support: f32) -> f32 {
+fn rub(
+    contacts: &mut Contacts,
+    c: usize,
+    pair: &mut impl Pair,
+    support: f32,
+    rules: Rules,
+) -> Mended {
     let Some(&across) = contacts.response_across.get(c) else {
-        return 0.0;
+        return Mended::default();
     };
-    let v_r = relative_velocity(contacts, c, movers);
-    let wanted = contacts.rub[c] - contact::sliding(v_r, contacts.normal[c]) / across;
+    let (r1, r2) = arms(contacts, c);
+    let sliding = contact::sliding(pair.relative_velocity(r1, r2), contacts.normal[c]);
+    let before = contacts.rub[c];
     let (mu_s, mu) = (contacts.static_friction[c], contacts.friction[c]);
-    let rub = coulomb(wanted, support, mu_s, mu);
-    let rubbed = rub - contacts.rub[c];
-    apply(contacts, c, movers, rubbed);
+    let rub = coulomb(before - sliding / across, support, mu_s, mu);
+    let change = rub - before;
+    pair.push(r1, r2, change);
     contacts.rub[c] = rub;
-    rubbed.length() * across
+    Mended {
+        // Not by its length: the square of a tiny change is 0.
+        anything: change != Vec3::ZERO,
+        much: change.length() * across > rules.still,
+    }
 }
 // ANCHOR_END: hold

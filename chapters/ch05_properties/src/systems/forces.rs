@@ -17,7 +17,6 @@ pub struct Sums<'a> {
 
 // ANCHOR: gather
 /// Sums what poles and fixed points do to bodies.
-#[expect(clippy::too_many_arguments, reason = "a system names its columns")]
 pub fn gather(
     poles: &Poles,
     fixed_points: &FixedPoints,
@@ -99,7 +98,6 @@ fn weights(
 }
 
 /// Adds the mouse's pull on a body that moves with `velocity`.
-#[expect(clippy::too_many_arguments, reason = "a system names its columns")]
 pub fn drag(
     springs: &Springs,
     k: usize,

@@ -14,20 +14,24 @@ use glam::{Quat, Vec3};
 
 use super::movers::Turning;
 use super::velocities;
+use super::visits::Visits;
 use crate::columns::AnyTable;
 use crate::data::{Bodies, Joints, Limits, NONE, Pins, Rods, Trees, Turns};
 
 // ANCHOR: held
 /// What is resolved together with the contacts, in the same sweeps.
 pub trait Held<M> {
+    /// The visits that last looked at the joints.
+    fn seen(&mut self) -> &mut [u32];
+
     /// Nudges bodies to where they belong; gives how far the furthest was off, m.
-    fn part(&mut self, movers: &mut M) -> f32;
+    fn part(&mut self, movers: &mut M, visits: &mut Visits) -> f32;
 
     /// Begins with the impulses of the last step.
     fn resume(&mut self, movers: &mut M);
 
     /// Mends the impulses once; says whether a relative velocity was off by more than `still`, m/s.
-    fn hold(&mut self, movers: &mut M, still: f32) -> bool;
+    fn hold(&mut self, movers: &mut M, visits: &mut Visits, still: f32) -> bool;
 }
 // ANCHOR_END: held
 
@@ -35,13 +39,17 @@ pub trait Held<M> {
 pub struct NoJoints;
 
 impl<M> Held<M> for NoJoints {
-    fn part(&mut self, _movers: &mut M) -> f32 {
+    fn seen(&mut self) -> &mut [u32] {
+        &mut []
+    }
+
+    fn part(&mut self, _movers: &mut M, _visits: &mut Visits) -> f32 {
         0.0
     }
 
     fn resume(&mut self, _movers: &mut M) {}
 
-    fn hold(&mut self, _movers: &mut M, _still: f32) -> bool {
+    fn hold(&mut self, _movers: &mut M, _visits: &mut Visits, _still: f32) -> bool {
         false
     }
 }
@@ -228,6 +236,27 @@ impl Assembly<'_> {
     }
 }
 
+/// What a visit with nudges found and did.
+#[derive(Clone, Copy)]
+struct Parted {
+    /// How far the bodies were off, m.
+    off: f32,
+    /// Whether it nudged them.
+    nudged: bool,
+}
+
+impl std::ops::Add for Parted {
+    type Output = Self;
+
+    /// Both, one after the other.
+    fn add(self, after: Self) -> Self {
+        Self {
+            off: self.off.max(after.off),
+            nudged: self.nudged || after.nudged,
+        }
+    }
+}
+
 /// Joints whose bodies have these poses, where a step is resolved that they are part of.
 pub struct Jointed<'a> {
     /// The joints.
@@ -251,13 +280,26 @@ impl Jointed<'_> {
 
 // ANCHOR: held_joints
 impl Held<Turning<'_>> for Jointed<'_> {
-    fn part(&mut self, movers: &mut Turning<'_>) -> f32 {
+    fn seen(&mut self) -> &mut [u32] {
+        &mut self.assembly.joints.seen
+    }
+
+    fn part(&mut self, movers: &mut Turning<'_>, visits: &mut Visits) -> f32 {
         let mut furthest = 0.0_f32;
         for joint in 0..self.assembly.joints.rows() {
-            furthest = furthest.max(match self.assembly.ends(joint) {
-                (Kind::Pin, at) => pin::part(self, at, movers).max(angle::part(self, at, movers)),
-                (Kind::Rod, at) => rod::part(self, at, movers),
-            });
+            let (kind, at) = self.assembly.ends(joint);
+            let seen = self.assembly.joints.seen[joint];
+            if Visits::is_due(seen, at.parent, at.child, movers) {
+                let parted = match kind {
+                    Kind::Pin => pin::part(self, at, movers) + angle::part(self, at, movers),
+                    Kind::Rod => rod::part(self, at, movers),
+                };
+                let nudged = parted.nudged;
+                let seen = visits.note(at.parent, at.child, nudged, movers);
+                self.assembly.joints.seen[joint] = seen;
+                self.assembly.joints.off[joint] = parted.off;
+            }
+            furthest = furthest.max(self.assembly.joints.off[joint]);
         }
         furthest
     }
@@ -274,18 +316,20 @@ impl Held<Turning<'_>> for Jointed<'_> {
         }
     }
 
-    fn hold(&mut self, movers: &mut Turning<'_>, still: f32) -> bool {
-        let mut changed = false;
+    fn hold(&mut self, movers: &mut Turning<'_>, visits: &mut Visits, still: f32) -> bool {
+        let mut much = false;
         for joint in 0..self.assembly.joints.rows() {
-            changed |= match self.assembly.ends(joint) {
-                (Kind::Pin, at) => {
+            let (kind, at) = self.assembly.ends(joint);
+            much |= match kind {
+                Kind::Pin => {
                     let off = pin::hold(&mut self.assembly, at, movers) > still;
                     off | angle::hold(&mut self.assembly, at, movers, still)
                 }
-                (Kind::Rod, at) => rod::hold(&mut self.assembly, at, movers) > still,
+                Kind::Rod => rod::hold(&mut self.assembly, at, movers) > still,
             };
+            visits.note(at.parent, at.child, true, movers);
         }
-        changed
+        much
     }
 }
 // ANCHOR_END: held_joints

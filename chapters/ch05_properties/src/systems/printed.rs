@@ -2,6 +2,7 @@
 
 use ch00_maths::f32::impulse::{self, Velocity, mixed_restitution};
 
+use super::or_zero;
 use super::resolving::inertia_in_world;
 use super::velocities::{moved, write_printed};
 use crate::columns::AnyTable;
@@ -22,11 +23,13 @@ pub fn resolve(bodies: &mut Bodies, contacts: &mut Contacts, dt_last: f32) {
         let (s1, s2) = impulse::printed::shares(&mass_1, &mass_2);
         if approach < 0.0 {
             let response = impulse::response(&mass_1, r1, &mass_2, r2, n);
-            let [e1, e2] = pair.map(|row| bodies.restitution[row]);
+            let [e1, e2] = pair.map(|row| or_zero(&bodies.restitution, row));
             let j = impulse::magnitude(approach, mixed_restitution(e1, e2), response);
             one = impulse::applied(one, &mass_1, r1, s1 * j * n);
             two = impulse::applied(two, &mass_2, r2, -s2 * j * n);
-            contacts.impact[c] = s1 * j * n;
+            if let Some(impact) = contacts.impact.get_mut(c) {
+                *impact = s1 * j * n;
+            }
         }
         for (row, share, velocity) in [(pair[0], s1, one), (pair[1], -s2, two)] {
             bodies.position[row] += share * contacts.depth[c] * n;

@@ -1,17 +1,18 @@
 //! The resolution of contacts and joints together: push apart, pay, bounce, rest. Chapter 3's order,
 //! chapter 3's ends of the sweeps.
 
-use ch00_maths::f32::impulse::{Mass, Velocity};
+use ch00_maths::f32::impulse::{Inertia, Mass, Velocity};
 use ch00_maths::f32::{rotation, spin};
 use ch03_collision::{FAR_NUDGE, LONGEST_SHIFT, Rules, SMALL_NUDGE};
 use glam::Vec3;
 
-use super::contacts;
+use super::contacts::{self, Mended, Run};
 use super::joints::Held;
 use super::movers::{Movers, Turning};
+use super::visits::Visits;
 use super::{Pull, or_zero};
 use crate::columns::AnyTable;
-use crate::data::{Bodies, Contacts, Joints, Motions};
+use crate::data::{Bodies, Contacts, Joints, Motions, Touches};
 
 // ANCHOR: involved
 /// The bodies that appear in a contact or a joint, each once, in order.
@@ -34,6 +35,7 @@ pub fn weigh(
         shift,
         turn,
         inverse_inertia,
+        inverse_moment,
         ..
     }: &mut Motions,
 ) {
@@ -41,7 +43,12 @@ pub fn weigh(
         shift[row] = Vec3::ZERO;
         if let Some(turn) = turn.get_mut(row) {
             *turn = Vec3::ZERO;
-            inverse_inertia[row] = inertia_in_world(bodies, row).inverse_inertia;
+        }
+        if let Some(inverse_inertia) = inverse_inertia.get_mut(row) {
+            *inverse_inertia = inertia_in_world(bodies, row).inverse_inertia;
+        }
+        if let Some(inverse_moment) = inverse_moment.get_mut(row) {
+            *inverse_moment = bodies.inverse_inertia[row].x;
         }
     }
 }
@@ -59,15 +66,17 @@ pub fn inertia_in_world(bodies: &Bodies, row: usize) -> Mass {
 /// Where a sweep still nudges bodies far, as when limbs crash into each other, it goes on for longer.
 pub fn push_apart<M: Movers>(
     contacts: &mut Contacts,
+    touches: &mut Touches,
     movers: &mut M,
     joints: &mut impl Held<M>,
     involved: &[u32],
     rules: Rules,
 ) {
+    let mut visits = Visits::begin(involved, [&mut touches.seen, joints.seen()], movers);
     for sweep in 1..=3 * rules.sweeps {
-        let mut furthest = joints.part(movers);
-        for c in 0..contacts.rows() {
-            furthest = furthest.max(contacts::part(contacts, c, movers));
+        let mut furthest = joints.part(movers, &mut visits);
+        for touch in 0..touches.rows() {
+            furthest = furthest.max(part(contacts, touches, touch, movers, &mut visits));
         }
         if furthest < SMALL_NUDGE || (sweep >= rules.sweeps && furthest < FAR_NUDGE) {
             break;
@@ -79,6 +88,27 @@ pub fn push_apart<M: Movers>(
     for &c in &against {
         contacts::part(contacts, c, movers);
     }
+}
+
+/// Nudges the two bodies of a touch apart, if they have been nudged since its last visit; gives how far,
+/// m.
+#[inline]
+fn part<M: Movers>(
+    contacts: &mut Contacts,
+    touches: &mut Touches,
+    touch: usize,
+    movers: &mut M,
+    visits: &mut Visits,
+) -> f32 {
+    let Run { first, end, a, b } = contacts::run(touches, touch);
+    let mut furthest = 0.0_f32;
+    if Visits::is_due(touches.seen[touch], a, b, movers) {
+        for c in first..end {
+            furthest = furthest.max(contacts::part(contacts, c, movers));
+        }
+        touches.seen[touch] = visits.note(a, b, furthest != 0.0, movers);
+    }
+    furthest
 }
 // ANCHOR_END: push_apart
 
@@ -103,20 +133,40 @@ fn shorten_shifts(
 }
 
 /// What is lifted out of an obstacle pays for it with speed.
-pub fn pay_for_lifts(contacts: &mut Contacts, movers: &mut impl Movers) {
-    contacts::each_touch(contacts, |contacts, first, end| {
-        contacts::pay_for_lift(contacts, first, end, movers);
-    });
+pub fn pay_for_lifts(contacts: &Contacts, touches: &Touches, movers: &mut impl Movers) {
+    for touch in 0..touches.rows() {
+        let run = contacts::run(touches, touch);
+        let mut pair = movers.moving_pair(run.a, run.b);
+        contacts::pay_for_lift(contacts, run, &mut pair);
+        movers.set_moving_pair(run.a, run.b, &pair);
+    }
 }
 
 // ANCHOR: bounce
 /// Impacts, one after the other, until nobody approaches fast. Gives how many were left.
-pub fn bounce(contacts: &mut Contacts, movers: &mut impl Movers, rules: Rules) -> usize {
+pub fn bounce(
+    contacts: &mut Contacts,
+    touches: &mut Touches,
+    movers: &mut impl Movers,
+    involved: &[u32],
+    rules: Rules,
+) -> usize {
+    let mut visits = Visits::begin(involved, [&mut touches.seen, &mut []], movers);
     for _ in 0..rules.sweeps {
         let mut impacts = 0;
-        contacts::each_touch(contacts, |contacts, first, end| {
-            impacts += usize::from(contacts::impact(contacts, first, end, movers, rules));
-        });
+        for touch in 0..touches.rows() {
+            let run = contacts::run(touches, touch);
+            if !Visits::is_due(touches.seen[touch], run.a, run.b, movers) {
+                continue;
+            }
+            let mut pair = movers.moving_pair(run.a, run.b);
+            let hit = contacts::impact(contacts, run, &mut pair, rules);
+            if hit {
+                movers.set_moving_pair(run.a, run.b, &pair);
+                impacts += 1;
+            }
+            touches.seen[touch] = visits.note(run.a, run.b, hit, movers);
+        }
         if impacts == 0 {
             return 0;
         }
@@ -134,6 +184,7 @@ pub fn begin_resting(
         velocity,
         spin,
         inverse_inertia,
+        inverse_moment,
         spin_kick,
         ..
     }: &mut Motions,
@@ -149,7 +200,11 @@ pub fn begin_resting(
             bodies.held_spin[row] = *spin;
             let (q, i) = (bodies.orientation[row], bodies.inertia[row]);
             let torque = or_zero(&bodies.torque, row);
-            let kick = inverse_inertia[row] * spin::half_kick(q, i, *spin, torque, dt_last);
+            let kick = spin::half_kick(q, i, *spin, torque, dt_last);
+            let kick = match inverse_moment.get(row) {
+                Some(inverse_moment) => inverse_moment.moment(kick),
+                None => inverse_inertia[row].moment(kick),
+            };
             spin_kick[row] = kick;
             *spin += kick;
         }
@@ -167,27 +222,40 @@ pub fn pull_of(bodies: &Bodies, gravity: Option<Vec3>) -> Pull<'_> {
 /// belongs together. All are kept as sums, so that a later sweep can take back what an earlier one gave.
 pub fn rest<M: Movers>(
     contacts: &mut Contacts,
+    touches: &mut Touches,
     movers: &mut M,
     joints: &mut impl Held<M>,
+    involved: &[u32],
     rules: Rules,
 ) {
     joints.resume(movers);
-    for c in 0..contacts.rows() {
-        contacts::resume(contacts, c, movers);
+    for touch in 0..touches.rows() {
+        let run = contacts::run(touches, touch);
+        let mut pair = movers.moving_pair(run.a, run.b);
+        for c in run.first..run.end {
+            contacts::resume(contacts, c, &mut pair);
+        }
+        movers.set_moving_pair(run.a, run.b, &pair);
     }
+    let mut visits = Visits::begin(involved, [&mut touches.seen, joints.seen()], movers);
     for sweep in 0..rules.sweeps {
-        let mut changed = joints.hold(movers, rules.still);
-        contacts::each_touch(contacts, |contacts, first, end| {
-            changed |= hold_in_turn(contacts, first, end, sweep % 2 == 1, movers, rules);
-        });
-        if !changed {
+        let mut much = joints.hold(movers, &mut visits, rules.still);
+        for touch in 0..touches.rows() {
+            let run = contacts::run(touches, touch);
+            if Visits::is_due(touches.seen[touch], run.a, run.b, movers) {
+                let mended = hold_in_turn(contacts, run, sweep % 2 == 1, movers, rules);
+                touches.seen[touch] = visits.note(run.a, run.b, mended.anything, movers);
+                much |= mended.much;
+            }
+        }
+        if !much {
             break;
         }
     }
     let mut against = Vec::new();
     contacts::against_static(contacts, movers, &mut against);
     for &c in &against {
-        contacts::hold(contacts, c, movers, rules);
+        hold_in_turn(contacts, contacts::alone(contacts, c), false, movers, rules);
     }
 }
 // ANCHOR_END: rest
@@ -196,18 +264,24 @@ pub fn rest<M: Movers>(
 #[inline]
 fn hold_in_turn(
     contacts: &mut Contacts,
-    first: usize,
-    end: usize,
+    run: Run,
     backwards: bool,
     movers: &mut impl Movers,
     rules: Rules,
-) -> bool {
-    let mut changed = false;
+) -> Mended {
+    let Run { first, end, a, b } = run;
+    let mut pair = movers.moving_pair(a, b);
+    let mut all = Mended::default();
     for k in first..end {
         let c = if backwards { end - 1 - (k - first) } else { k };
-        changed |= contacts::hold(contacts, c, movers, rules);
+        let mended = contacts::hold(contacts, c, &mut pair, rules);
+        all.anything |= mended.anything;
+        all.much |= mended.much;
     }
-    changed
+    if all.anything {
+        movers.set_moving_pair(a, b, &pair);
+    }
+    all
 }
 
 // ANCHOR: displace
@@ -251,8 +325,22 @@ pub fn turning<'a>(bodies: &'a Bodies, motions: &'a mut Motions) -> Turning<'a> 
         spin: &mut motions.spin,
         shift: &mut motions.shift,
         turn: &mut motions.turn,
+        changed: &mut motions.changed,
         inverse_mass: &bodies.inverse_mass,
         inverse_inertia: &motions.inverse_inertia,
+    }
+}
+
+/// The same where all that moves are balls.
+pub fn rolling<'a>(bodies: &'a Bodies, motions: &'a mut Motions) -> Turning<'a, f32> {
+    Turning {
+        velocity: &mut motions.velocity,
+        spin: &mut motions.spin,
+        shift: &mut motions.shift,
+        turn: &mut motions.turn,
+        changed: &mut motions.changed,
+        inverse_mass: &bodies.inverse_mass,
+        inverse_inertia: &motions.inverse_moment,
     }
 }
 
@@ -261,6 +349,7 @@ pub fn gliding<'a>(bodies: &'a Bodies, motions: &'a mut Motions) -> super::mover
     super::movers::Gliding {
         velocity: &mut motions.velocity,
         shift: &mut motions.shift,
+        changed: &mut motions.changed,
         inverse_mass: &bodies.inverse_mass,
     }
 }

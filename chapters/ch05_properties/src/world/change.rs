@@ -133,6 +133,7 @@ impl World {
         let rows = keep.iter().filter(|&&kept| kept).count();
         data.contacts.retain_rows(&keep);
         data.contacts.ids_mut().set_rows(rows);
+        data.touches.clear();
         if data.springs.body.contains(&gone) {
             data.springs.clear();
         }
@@ -254,7 +255,7 @@ impl World {
         let moves_body = matches!(edit.column.as_str(), "position" | "orientation");
         let velocity = moves_body.then(|| self.velocity(row));
         let column = self.data.table_mut(&edit.table)?.column_mut(place);
-        let old = column.cell(row).expect("the row was found");
+        let old = column.cell(row).unwrap_or(value);
         column.set_cell(row, value);
         if let Some(velocity) = velocity {
             self.let_go_of(row);

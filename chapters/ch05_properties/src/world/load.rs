@@ -16,6 +16,7 @@ use crate::data::{
 use crate::plan::Plan;
 use crate::systems::broad_phase::BroadPhase;
 use crate::systems::narrow_phase::Carried;
+use crate::systems::visits::Order;
 
 impl World {
     // ANCHOR: load
@@ -69,6 +70,7 @@ impl World {
                 ignored,
                 ..BroadPhase::default()
             },
+            order: Order::default(),
             carried: Carried::default(),
             involved: Vec::new(),
             steps: Steps {
@@ -186,8 +188,9 @@ fn push_joints(data: &mut Data, scene: &Scene) {
     let forest = Forest::of(scene);
     for tree in &forest.trees {
         let first = data.joints.rows() as u32;
-        tree.iter()
-            .for_each(|&joint| push_joint(data, scene, joint));
+        for &joint in tree {
+            push_joint(data, scene, joint);
+        }
         let end = data.joints.rows() as u32;
         data.trees.push(Tree { first, end });
     }

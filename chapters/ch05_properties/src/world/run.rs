@@ -6,8 +6,10 @@ use ch03_collision::Span;
 use super::World;
 use crate::plan::Part;
 use crate::systems::joints::{Assembly, Jointed, NoJoints, Poses};
-use crate::systems::resolving::{gliding, pull_of, turning};
-use crate::systems::{Pull, advance, broad_phase, contacts, narrow_phase, printed, resolving};
+use crate::systems::resolving::{gliding, pull_of, rolling, turning};
+use crate::systems::{
+    Pull, advance, broad_phase, contacts, narrow_phase, printed, resolving, visits,
+};
 
 /// The joints' tables out of the container.
 macro_rules! assembly {
@@ -21,6 +23,25 @@ macro_rules! assembly {
         }
     };
 }
+
+// ANCHOR: with_movers
+/// Does the same with the columns that this plan's bodies move in: with turns about any axes, with
+/// turns of balls, or without turns.
+macro_rules! with_movers {
+    ($plan:expr, $bodies:expr, $motions:expr, |$movers:ident| $work:expr) => {
+        if $plan.has(Part::Axes) {
+            let $movers = &mut turning($bodies, $motions);
+            $work
+        } else if $plan.has(Part::Round) {
+            let $movers = &mut rolling($bodies, $motions);
+            $work
+        } else {
+            let $movers = &mut gliding($bodies, $motions);
+            $work
+        }
+    };
+}
+// ANCHOR_END: with_movers
 
 impl World {
     // ANCHOR: advance
@@ -125,6 +146,17 @@ impl World {
     }
     // ANCHOR_END: phases
 
+    pub(crate) fn order_touches(&mut self) {
+        let data = &mut self.data;
+        let inverse_mass = &data.bodies.inverse_mass;
+        visits::order(
+            &data.contacts,
+            inverse_mass,
+            &mut data.touches,
+            &mut self.order,
+        );
+    }
+
     pub(crate) fn resolve_printed(&mut self) {
         let dt_last = self.steps.dt_last;
         printed::resolve(&mut self.data.bodies, &mut self.data.contacts, dt_last);
@@ -167,15 +199,11 @@ impl World {
         let (rules, span) = (self.surroundings.rules, self.steps.span);
         let gravity = self.gravity();
         let data = &mut self.data;
-        let bodies = &data.bodies;
+        let (bodies, contacts) = (&data.bodies, &mut data.contacts);
         let pull = pull_of(bodies, gravity);
-        if self.plan.has(Part::Turning) {
-            let movers = turning(bodies, &mut data.motions);
-            contacts::prepare(&mut data.contacts, bodies, &movers, pull, rules, span);
-        } else {
-            let movers = gliding(bodies, &mut data.motions);
-            contacts::prepare(&mut data.contacts, bodies, &movers, pull, rules, span);
-        }
+        with_movers!(self.plan, bodies, &mut data.motions, |movers| {
+            contacts::prepare(contacts, bodies, movers, pull, rules, span);
+        });
     }
 
     pub(crate) fn prepare_joints(&mut self) {
@@ -189,43 +217,46 @@ impl World {
     pub(crate) fn push_apart(&mut self) {
         let rules = self.surroundings.rules;
         let data = &mut self.data;
-        let (bodies, contacts, involved) = (&data.bodies, &mut data.contacts, &self.involved);
-        if self.plan.has(Part::Turning) {
+        let (bodies, involved) = (&data.bodies, &self.involved);
+        let (contacts, touches) = (&mut data.contacts, &mut data.touches);
+        if self.plan.has(Part::Joints) {
             let mut movers = turning(bodies, &mut data.motions);
             let mut jointed = Jointed {
                 assembly: assembly!(data),
                 position: &bodies.position,
                 orientation: &bodies.orientation,
             };
-            resolving::push_apart(contacts, &mut movers, &mut jointed, involved, rules);
+            resolving::push_apart(
+                contacts,
+                touches,
+                &mut movers,
+                &mut jointed,
+                involved,
+                rules,
+            );
         } else {
-            let mut movers = gliding(bodies, &mut data.motions);
-            resolving::push_apart(contacts, &mut movers, &mut NoJoints, involved, rules);
+            with_movers!(self.plan, bodies, &mut data.motions, |movers| {
+                resolving::push_apart(contacts, touches, movers, &mut NoJoints, involved, rules);
+            });
         }
     }
     // ANCHOR_END: push_apart
 
     pub(crate) fn pay_for_lifts(&mut self) {
         let data = &mut self.data;
-        if self.plan.has(Part::Turning) {
-            let mut movers = turning(&data.bodies, &mut data.motions);
-            resolving::pay_for_lifts(&mut data.contacts, &mut movers);
-        } else {
-            let mut movers = gliding(&data.bodies, &mut data.motions);
-            resolving::pay_for_lifts(&mut data.contacts, &mut movers);
-        }
+        with_movers!(self.plan, &data.bodies, &mut data.motions, |movers| {
+            resolving::pay_for_lifts(&data.contacts, &data.touches, movers);
+        });
     }
 
     pub(crate) fn bounce(&mut self) {
         let rules = self.surroundings.rules;
         let data = &mut self.data;
-        self.counts.impacts_left += if self.plan.has(Part::Turning) {
-            let mut movers = turning(&data.bodies, &mut data.motions);
-            resolving::bounce(&mut data.contacts, &mut movers, rules)
-        } else {
-            let mut movers = gliding(&data.bodies, &mut data.motions);
-            resolving::bounce(&mut data.contacts, &mut movers, rules)
-        };
+        with_movers!(self.plan, &data.bodies, &mut data.motions, |movers| {
+            let (contacts, touches) = (&mut data.contacts, &mut data.touches);
+            self.counts.impacts_left +=
+                resolving::bounce(contacts, touches, movers, &self.involved, rules);
+        });
     }
 
     // ANCHOR: rest
@@ -235,17 +266,27 @@ impl World {
         let data = &mut self.data;
         let (bodies, motions) = (&mut data.bodies, &mut data.motions);
         resolving::begin_resting(&self.involved, bodies, motions, gravity, dt_last);
-        if self.plan.has(Part::Turning) {
+        let (contacts, touches) = (&mut data.contacts, &mut data.touches);
+        let involved = &self.involved;
+        if self.plan.has(Part::Joints) {
             let mut movers = turning(bodies, motions);
             let mut jointed = Jointed {
                 assembly: assembly!(data),
                 position: &bodies.position,
                 orientation: &bodies.orientation,
             };
-            resolving::rest(&mut data.contacts, &mut movers, &mut jointed, rules);
+            resolving::rest(
+                contacts,
+                touches,
+                &mut movers,
+                &mut jointed,
+                involved,
+                rules,
+            );
         } else {
-            let mut movers = gliding(bodies, motions);
-            resolving::rest(&mut data.contacts, &mut movers, &mut NoJoints, rules);
+            with_movers!(self.plan, bodies, motions, |movers| {
+                resolving::rest(contacts, touches, movers, &mut NoJoints, involved, rules);
+            });
         }
     }
     // ANCHOR_END: rest

@@ -13,6 +13,13 @@ pub struct Placement {
 }
 
 impl Placement {
+    /// Of an entity that was removed.
+    pub const NOWHERE: Self = Self {
+        parent: None,
+        local: Transform::IDENTITY,
+        world: Transform::IDENTITY,
+    };
+
     pub fn new(item: &Item) -> Self {
         let local = Transform::from_translation(formulas::circle(item.radius, item.phase));
         Self {

@@ -1,3 +1,4 @@
+// ANCHOR: spinning
 //! `Spin`: turns the entity.
 
 use super::entity::{Component, Owner};
@@ -29,3 +30,4 @@ impl Spin {
         }
     }
 }
+// ANCHOR_END: spinning

@@ -1,3 +1,4 @@
+// ANCHOR: spinning
 //! `Spinner`: stays in its place and turns.
 
 use super::scene_object::{Base, SceneObject};
@@ -52,3 +53,4 @@ impl SceneObject for Spinner {
     }
     // ANCHOR_END: glow
 }
+// ANCHOR_END: spinning

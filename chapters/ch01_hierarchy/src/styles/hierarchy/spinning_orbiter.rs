@@ -1,3 +1,4 @@
+// ANCHOR: spinning
 //! `SpinningOrbiter`: circles and spins. It can extend one class only; the other one's
 //! fields and lines are written again.
 
@@ -55,3 +56,4 @@ impl SpinningOrbiter {
         }
     }
 }
+// ANCHOR_END: spinning

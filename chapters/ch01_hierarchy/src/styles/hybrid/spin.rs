@@ -1,3 +1,4 @@
+// ANCHOR: spinning
 //! `Spin`: the part that turns its owner.
 
 use crate::styles::formulas;
@@ -41,3 +42,4 @@ pub trait Glowing {
     fn glow(&self) -> f32;
 }
 // ANCHOR_END: glow
+// ANCHOR_END: spinning

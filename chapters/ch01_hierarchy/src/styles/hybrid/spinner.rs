@@ -1,3 +1,4 @@
+// ANCHOR: spinning
 //! `Spinner`: stays in its place and turns.
 
 // ANCHOR: glow
@@ -29,3 +30,4 @@ impl Glowing for Spinner {
     }
 }
 // ANCHOR_END: glow
+// ANCHOR_END: spinning

@@ -1,3 +1,4 @@
+// ANCHOR: spinning
 //! `SpinningOrbiter`: circles and spins. Nothing is inherited, so nothing is in the way: it
 //! has both parts.
 
@@ -36,3 +37,4 @@ impl Glowing for SpinningOrbiter {
     }
 }
 // ANCHOR_END: glow
+// ANCHOR_END: spinning

@@ -8,9 +8,9 @@ use ch03_collision::Span;
 use ch04_ragdolls::{Bound, LARGEST_TURN, MOST_ROWS, Row, SMALL_ANGLE};
 use glam::{Quat, Vec3};
 
-use super::{Assembly, Ends, Jointed, Poses, pin};
+use super::{Assembly, Ends, Jointed, Parted, Poses, pin};
 use crate::data::{Bodies, Limits, bound_code, bound_of, limits_of};
-use crate::systems::movers::{Movers, Turning};
+use crate::systems::movers::Turning;
 
 /// The rows of a limit's turns.
 #[inline]
@@ -116,9 +116,12 @@ pub(super) fn prepare(
 // ANCHOR: part
 /// Nudges the two back to their limits, or takes back what others have made superfluous. Gives how far,
 /// as the way of a limb of a decimetre, m.
-pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>) -> f32 {
+pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>) -> Parted {
     let Some(limit) = at.limit else {
-        return 0.0;
+        return Parted {
+            off: 0.0,
+            nudged: false,
+        };
     };
     let [q1, q2] = [at.parent, at.child].map(|row| jointed.nudged_pose(movers, row).1);
     let tables = &mut jointed.assembly;
@@ -143,7 +146,10 @@ pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>
             furthest = furthest.max(0.1 * turned);
         }
     }
-    furthest
+    Parted {
+        off: furthest,
+        nudged: furthest != 0.0,
+    }
 }
 // ANCHOR_END: part
 

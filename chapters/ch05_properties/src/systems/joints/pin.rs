@@ -7,8 +7,8 @@ use ch03_collision::Span;
 use ch04_ragdolls::{Arms, LONGEST_GAP, SMALL_GAP, WIDE};
 use glam::Vec3;
 
-use super::{Assembly, Ends, Jointed, Poses};
-use crate::systems::movers::{Movers, Turning};
+use super::{Assembly, Ends, Jointed, Parted, Poses};
+use crate::systems::movers::Turning;
 
 // ANCHOR: correct
 /// Closes the gap that has opened since the last step. Says whether there was one.
@@ -74,7 +74,7 @@ pub(super) fn prepare(
 
 /// Nudges the two points together, from where their nudges have brought them; gives how far they were
 /// apart, m.
-pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>) -> f32 {
+pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>) -> Parted {
     let poses = [at.parent, at.child].map(|row| jointed.nudged_pose(movers, row));
     let Arms { t1, t2, d } = jointed.assembly.arms_at(at.joint, poses[0], poses[1]);
     let gap = d.length();
@@ -84,7 +84,10 @@ pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>
         movers.nudge(at.parent, t1, nudge);
         movers.nudge(at.child, t2, -nudge);
     }
-    gap
+    Parted {
+        off: gap,
+        nudged: gap >= SMALL_GAP,
+    }
 }
 
 /// Begins with what held them in the last step.

@@ -6,8 +6,8 @@ use ch03_collision::Span;
 use ch04_ragdolls::{Arms, LONGEST_GAP, SMALL_GAP, WIDE};
 use glam::Vec3;
 
-use super::{Assembly, Ends, Jointed, Poses};
-use crate::systems::movers::{Movers, Turning};
+use super::{Assembly, Ends, Jointed, Parted, Poses};
+use crate::systems::movers::Turning;
 
 /// Brings the points back to their distance. Says whether they were off.
 pub(super) fn correct(tables: &mut Assembly<'_>, at: Ends, poses: &mut Poses<'_>) -> bool {
@@ -63,7 +63,7 @@ pub(super) fn prepare(
 
 /// Nudges the points to their distance, from where their nudges have brought them; gives how far they
 /// were off, m.
-pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>) -> f32 {
+pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>) -> Parted {
     let poses = [at.parent, at.child].map(|row| jointed.nudged_pose(movers, row));
     let Arms { t1, t2, d } = jointed.assembly.arms_at(at.joint, poses[0], poses[1]);
     let left = d.length() - jointed.assembly.rods.length[at.part];
@@ -75,7 +75,10 @@ pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>
         movers.nudge(at.parent, t1, nudge);
         movers.nudge(at.child, t2, -nudge);
     }
-    left.abs()
+    Parted {
+        off: left.abs(),
+        nudged: left.abs() >= SMALL_GAP,
+    }
 }
 
 /// Begins with what held them in the last step.
