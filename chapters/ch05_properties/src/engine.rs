@@ -1,14 +1,15 @@
 //! Chapter 5's engine: what the window, the tests and the laboratory see of a world.
 
 use ch00_scenes::{
-    Added, Body, Cell, Column, ColumnData, ColumnInfo, ContactPoint, Counters, Edit, Engine,
-    EngineEntry, EngineInfo, LoadError, Method as MethodInfo, PassTime, Pull, RemoveError, RowId,
-    Scene, Settings, State, TableError, TableInfo,
+    Added, Body, Cell, Column, ColumnData, ColumnInfo, ContactPoint, Counters, Dissection, Drawing,
+    Edit, Engine, EngineEntry, EngineInfo, Layer, LoadError, Method as MethodInfo, PassTime, Pull,
+    RemoveError, RowId, Scene, Settings, State, TableError, TableInfo,
 };
 use ch03_collision::{PassClock, Rules, check_settings, default_sweeps};
 use glam::Vec3;
 
 use crate::columns::{AnyTable, ColumnSpec};
+use crate::layers;
 use crate::plan::{self, Part, Plan};
 use crate::systems::or_zero;
 use crate::world::{ChangeError, Method, World};
@@ -89,6 +90,12 @@ impl PropertiesEngine {
             scene: scene.clone(),
             times: Vec::new(),
         })
+    }
+
+    /// The scene as it is by now: its bodies are the world's, in order of row.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
     }
 
     /// The columns, and what is done with them.
@@ -238,6 +245,18 @@ impl Engine for PropertiesEngine {
 
     fn explain(&self) -> String {
         plan::explain(&self.scene, &self.world)
+    }
+
+    fn layer(&self, layer: Layer) -> Drawing {
+        layers::draw(self, layer)
+    }
+
+    fn layers(&self) -> &'static [Layer] {
+        layers::of(self)
+    }
+
+    fn dissect(&self, a: usize, b: usize, step: usize) -> Option<Dissection> {
+        layers::dissect(self, a, b, step)
     }
 
     fn add_body(&mut self, body: &Body, _dt: f32) -> Added {

@@ -5,6 +5,7 @@ pub mod borrowing;
 pub mod columns;
 pub mod data;
 mod engine;
+mod layers;
 pub mod plan;
 pub mod systems;
 pub mod world;

@@ -117,7 +117,7 @@ impl Part {
             Part::Orientations => "nothing is turned and nothing can turn",
             Part::Collisions => "no two bodies could touch",
             Part::Resolution => "nothing touches and nothing is joined",
-            Part::Bouncing => "no body has a restitution above 0",
+            Part::Bouncing => "no body that could touch another has a restitution above 0",
             Part::Friction => "no two bodies that could touch both have friction",
             Part::Joints => "nothing is joined",
             Part::Rods => "no joint keeps a distance",
@@ -239,6 +239,18 @@ impl Plan {
     /// The systems that run, in order.
     pub fn systems(&self) -> impl Iterator<Item = &'static System> {
         SYSTEMS.iter().filter(|system| self.has_all(system.needs))
+    }
+
+    /// The systems of the method that have nothing to do in this scene.
+    pub fn idle_systems(&self) -> impl Iterator<Item = &'static System> {
+        let other = if self.has(Part::Printed) {
+            Part::Corrected
+        } else {
+            Part::Printed
+        };
+        SYSTEMS
+            .iter()
+            .filter(move |system| !system.needs.contains(&other) && !self.has_all(system.needs))
     }
 
     // ANCHOR: apply

@@ -17,9 +17,14 @@ pub fn needs_of(table: &str, column: &str) -> &'static [Part] {
         ("motions", "inverse_moment") => &[Resolution, Corrected, Round],
         ("motions", _) => &[Resolution, Turning, Corrected],
         ("contacts", column) => needs_of_contacts(column),
-        ("joints" | "pins" | "trees", _) => &[Joints],
-        ("rods", _) => &[Rods],
-        ("limits" | "turns", _) => &[Limits],
+        ("joints", "arm_parent" | "arm_child" | "seen" | "off") | ("pins" | "trees", _) => {
+            &[Joints, Corrected]
+        }
+        ("joints", _) => &[Joints],
+        ("rods", "length") => &[Rods],
+        ("rods", _) => &[Rods, Corrected],
+        ("limits", _) => &[Limits],
+        ("turns", _) => &[Limits, Corrected],
         ("poles", _) => &[Forces],
         ("fixed_points", _) => &[FixedPoints],
         ("springs", _) => &[Mouse],
@@ -45,7 +50,8 @@ fn needs_of_bodies(column: &str) -> &'static [Part] {
 fn needs_of_contacts(column: &str) -> &'static [Part] {
     match column {
         "a" | "b" | "feature" | "normal" | "depth" | "point" => &[Collisions],
-        "impact" | "restitution" => &[Collisions, Bouncing],
+        "impact" => &[Collisions, Bouncing],
+        "restitution" => &[Collisions, Corrected, Bouncing],
         "rub" | "response_across" | "friction" | "static_friction" => &[Collisions, Friction],
         _ => &[Collisions, Corrected],
     }

@@ -41,38 +41,54 @@ fn write_systems(text: &mut String, world: &World) {
             system.name,
             system.about
         );
-        let kept = |&(table, column): &(&'static str, &'static str)| {
-            column == "*" || world.plan.why_left_out(table, column).is_none()
-        };
-        let written = system.writes.iter().flat_map(|names| expand(names));
-        let written: Vec<String> = written
-            .filter(kept)
-            .map(|(table, column)| format!("{table}.{column}"))
-            .collect();
-        for line in wrapped(&written) {
-            let _ = writeln!(text, "       {line}");
+        for (table, columns) in by_table(world, system.writes) {
+            write_list(text, table, &columns);
         }
     }
+}
+
+/// The kept columns that patterns name, by table, in the tables' order.
+fn by_table(world: &World, patterns: &[&'static str]) -> Vec<(&'static str, Vec<&'static str>)> {
+    let named: Vec<_> = patterns.iter().flat_map(|names| expand(names)).collect();
+    let of_table = |table: &dyn AnyTable| {
+        let is_named = |column: &&'static str| {
+            let is_it =
+                |&(of, name): &(&str, &str)| of == table.name() && (name == *column || name == "*");
+            named.iter().any(is_it)
+        };
+        (table.name(), kept_of(table).filter(is_named).collect())
+    };
+    let tables = world.data.tables().into_iter().map(of_table);
+    tables
+        .filter(|(_, columns): &(_, Vec<_>)| !columns.is_empty())
+        .collect()
+}
+
+/// The columns of a table that the plan kept.
+fn kept_of(table: &dyn AnyTable) -> impl Iterator<Item = &'static str> {
+    let specs = table.specs().iter().enumerate();
+    specs
+        .filter(|(place, _)| table.column(*place).is_kept())
+        .map(|(_, spec)| spec.name)
 }
 
 /// The columns that there are, a table a line, with the bytes of a row.
 fn write_columns(text: &mut String, world: &World) {
     let _ = writeln!(text, "\nColumns, with the bytes of a row:");
     for table in world.data.tables() {
-        let kept = table.specs().iter().enumerate();
-        let names: Vec<String> = kept
+        let specs = table.specs().iter().enumerate();
+        let names: Vec<String> = specs
             .filter(|(place, _)| table.column(*place).is_kept())
             .map(|(_, spec)| format!("{} {}", spec.name, spec.kind.size()))
             .collect();
         if names.is_empty() {
             continue;
         }
+        let (bytes, rows) = (table.row_bytes(), table.rows());
         let _ = writeln!(
             text,
-            "     {:<13}{:>4} bytes a row, {} rows",
-            table.name(),
-            table.row_bytes(),
-            table.rows()
+            "     {:<13}{bytes:>4} bytes a row, {rows} rows",
+            table.name()
         );
         for line in wrapped(&names) {
             let _ = writeln!(text, "       {line}");
@@ -90,22 +106,41 @@ fn write_columns(text: &mut String, world: &World) {
 
 /// What the method has and this scene doesn't need.
 fn write_left_out(text: &mut String, world: &World) {
-    let _ = writeln!(text, "\nLeft out:");
+    let _ = writeln!(text, "\nLeft out, and why:");
     for part in world.plan.left_out() {
         let _ = writeln!(text, "     {:<34} {}", part.name(), part.why_not());
     }
-    let columns: Vec<String> = world
+    let idle: Vec<&str> = world
+        .plan
+        .idle_systems()
+        .map(|system| system.name)
+        .collect();
+    write_list(text, "systems", &idle);
+    let (whole, parts): (Vec<_>, Vec<_>) = world
         .data
         .tables()
         .into_iter()
-        .map(|table| (table, left_out_of(table)))
-        .filter(|(_, names)| !names.is_empty())
-        .map(|(table, names)| format!("{}: {}", table.name(), names.join(", ")))
-        .collect();
-    for table in columns {
-        for line in wrapped(&table.split(' ').map(str::to_owned).collect::<Vec<_>>()) {
-            let _ = writeln!(text, "       {}", line.replace(",,", ","));
-        }
+        .partition(|table| kept_of(*table).next().is_none());
+    let whole: Vec<&str> = whole.into_iter().map(AnyTable::name).collect();
+    write_list(text, "tables", &whole);
+    for table in parts {
+        write_list(text, table.name(), &left_out_of(table));
+    }
+}
+
+/// A name and what it has, in lines; nothing of nothing.
+fn write_list(text: &mut String, name: &str, items: &[&str]) {
+    if items.is_empty() {
+        return;
+    }
+    let items: Vec<String> = items.iter().map(|&item| item.to_owned()).collect();
+    for (number, line) in wrapped(&items).into_iter().enumerate() {
+        let name = if number == 0 {
+            format!("{name}:")
+        } else {
+            String::new()
+        };
+        let _ = writeln!(text, "       {name:<13}{line}");
     }
 }
 
@@ -118,17 +153,13 @@ fn left_out_of(table: &dyn AnyTable) -> Vec<&'static str> {
         .collect()
 }
 
-/// Words in lines of at most 100 characters, with commas between them.
+/// Words in lines of at most 84 characters, with commas between them.
 fn wrapped(words: &[String]) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for (place, word) in words.iter().enumerate() {
-        let comma = if place + 1 < words.len() && !word.ends_with([',', ':']) {
-            ","
-        } else {
-            ""
-        };
+        let comma = if place + 1 < words.len() { "," } else { "" };
         match lines.last_mut() {
-            Some(line) if line.len() + word.len() < 98 => {
+            Some(line) if line.len() + word.len() < 82 => {
                 let _ = write!(line, " {word}{comma}");
             }
             _ => lines.push(format!("{word}{comma}")),

@@ -22,8 +22,8 @@ pub fn needs(scene: &Scene, method: Method, part: Part) -> bool {
         }
         Part::Collisions => two_could_touch(scene),
         Part::Resolution => !scene.joints.is_empty() || (corrected && two_could_touch(scene)),
-        Part::Bouncing => scene.bodies.iter().any(|body| body.restitution > 0.0),
-        Part::Friction => corrected && two_rub(scene),
+        Part::Bouncing => two_could_touch(scene) && scene.bodies.iter().any(bounces),
+        Part::Friction => corrected && two_could_touch(scene) && two_rub(scene),
         Part::Joints => !scene.joints.is_empty(),
         Part::Rods => scene.joints.iter().any(is_rod),
         Part::Limits => scene.joints.iter().any(limits_angles),
@@ -57,6 +57,10 @@ fn something_has_axes(scene: &Scene) -> bool {
     !scene.joints.is_empty()
         || scene.forces.iter().any(|force| held(force).is_some())
         || movers(scene).any(|body| !matches!(body.shape, Shape::Sphere { .. }))
+}
+
+fn bounces(body: &Body) -> bool {
+    body.restitution > 0.0
 }
 
 fn is_turned(body: &Body) -> bool {

@@ -111,11 +111,16 @@ impl World {
     /// Fails if a joint or a force names the body.
     fn check_free(&self, row: usize) -> Result<(), RemoveError> {
         let data = &self.data;
-        let at = |column: &[u32]| column.iter().position(|&named| named as usize == row);
-        if let Some(joint) = at(&data.joints.parent).or_else(|| at(&data.joints.child)) {
-            let joint = data.joints.scene_joint[joint] as usize;
+        let joints = &data.joints;
+        let ends = joints.parent.iter().zip(joints.child.iter());
+        let holds = |(&parent, &child): (&u32, &u32)| [parent, child].contains(&(row as u32));
+        let held_by = ends.zip(joints.scene_joint.iter());
+        let held_by = held_by.filter(|(ends, _)| holds(*ends));
+        if let Some(&joint) = held_by.map(|(_, joint)| joint).min() {
+            let joint = joint as usize;
             return Err(RemoveError::HeldByJoint { body: row, joint });
         }
+        let at = |column: &[u32]| column.iter().position(|&named| named as usize == row);
         let pole = at(&data.poles.body).map(|k| data.poles.force[k]);
         let held = || at(&data.fixed_points.body).map(|k| data.fixed_points.force[k]);
         if let Some(force) = pole.or_else(held) {

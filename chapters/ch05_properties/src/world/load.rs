@@ -41,7 +41,9 @@ impl World {
         push_joints(&mut data, scene);
         let mut world = Self::around(data, scene, method, rules, plan);
         world.place(scene);
-        world.finish_joints();
+        if method == Method::Corrected {
+            world.finish_joints();
+        }
         world.begin(scene.dt as f32);
         Ok(world)
     }

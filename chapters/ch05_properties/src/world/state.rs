@@ -139,8 +139,10 @@ impl World {
             };
             self.set_velocity(row, velocity);
         }
-        self.joints().0.forget();
-        self.finish_joints();
+        if self.surroundings.method == Method::Corrected {
+            self.joints().0.forget();
+            self.finish_joints();
+        }
         self.begin(dt);
     }
     // ANCHOR_END: write_state
