@@ -8,9 +8,10 @@ use ch01_hierarchy::Shared;
 use ch02_rigid_bodies::{Loaded, METHODS, Method, RigidBody, load_bodies};
 
 use crate::checks::{check_settings, unsupported};
+use crate::layers::{self, BodyView};
 use crate::{
     CollisionTree, Contact, Links, Margins, NoLinks, PassClock, Rules, Span, default_sweeps,
-    dissect, layers, placed, resolve_corrected, resolve_printed,
+    dissect, placed, resolve_corrected, resolve_printed,
 };
 
 /// Chapter 3's entry in a list of engines.
@@ -219,6 +220,12 @@ impl CollisionEngine {
         )
     }
 
+    /// The bodies as drawings see them.
+    fn views(&self) -> Vec<BodyView> {
+        let bodies = self.world.bodies.iter();
+        bodies.map(|body| BodyView::from(&*body.borrow())).collect()
+    }
+
     /// Writes the bodies' places into the scene graph.
     pub fn place_nodes(&mut self) {
         let graph = &mut self.world.level.graph;
@@ -238,6 +245,17 @@ fn rules_for(scene: &Scene, settings: &Settings) -> Rules {
             .restitution_threshold
             .map_or(defaults.restitution_threshold, |speed| speed as f32),
         ..defaults
+    }
+}
+
+impl From<&RigidBody> for BodyView {
+    fn from(body: &RigidBody) -> Self {
+        Self {
+            shape: *body.collider(),
+            position: body.position(),
+            orientation: body.orientation(),
+            mass: (!body.is_static()).then(|| body.mass()),
+        }
     }
 }
 
@@ -323,12 +341,12 @@ impl Engine for CollisionEngine {
     }
 
     fn layer(&self, layer: Layer) -> Drawing {
-        let bodies = &self.world.bodies;
+        let tree = &self.tree;
         match layer {
-            Layer::Aabbs => layers::boxes(&self.tree, bodies),
-            Layer::Cells => layers::cells(&self.tree),
-            Layer::Contacts => layers::contacts(&self.contacts, bodies),
-            Layer::Frames => layers::frames(bodies),
+            Layer::Aabbs => layers::boxes(tree.boxes(), tree.pairs(), &self.views()),
+            Layer::Cells => layers::cells(&tree.cells()),
+            Layer::Contacts => layers::contacts(&self.contacts(), &self.views()),
+            Layer::Frames => layers::frames(&self.views()),
             Layer::JointFrames | Layer::Limits => Drawing::default(),
         }
     }

@@ -1,11 +1,11 @@
-//! What the overlay can draw of the collision tree and its contacts.
+//! What the overlay can draw of the broad phase, of contacts and of bodies. All of it is drawn from plain
+//! values, so that it doesn't matter whether an engine keeps them in objects or in columns.
 
-use ch00_scenes::{Drawing, Rgb, palette};
-use ch01_hierarchy::Shared;
-use ch02_rigid_bodies::RigidBody;
-use glam::Vec3;
+use ch00_maths::f32::shape::Shape;
+use ch00_scenes::{ContactPoint, Drawing, Rgb, palette};
+use glam::{Quat, Vec3};
 
-use crate::{CollisionTree, Contact};
+use crate::aabb::Aabb;
 
 const NORMAL: Rgb = palette::BLUE;
 const IMPULSE: Rgb = palette::VERMILLION;
@@ -22,25 +22,42 @@ const LEVELS: [Rgb; 5] = [
     [0.800, 0.860, 0.180],
 ];
 
-/// The bounding boxes of the bodies that have one: those that overlap one of another moving body
-/// stand out.
-#[must_use]
-pub fn boxes(tree: &CollisionTree, bodies: &[Shared<RigidBody>]) -> Drawing {
-    let mut drawing = Drawing::default();
-    let is_static: Vec<bool> = bodies
-        .iter()
-        .map(|body| body.borrow().is_static())
-        .collect();
-    let mut is_paired = vec![false; bodies.len()];
-    for &(a, b) in tree.pairs() {
-        is_paired[a] |= !is_static[b];
-        is_paired[b] |= !is_static[a];
+/// A body as drawings see it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyView {
+    /// Its solid.
+    pub shape: Shape,
+    /// Its centre, m.
+    pub position: Vec3,
+    /// Body to world.
+    pub orientation: Quat,
+    /// Its mass, kg; `None` for a body that can't move.
+    pub mass: Option<f32>,
+}
+
+impl BodyView {
+    /// Whether nothing moves it.
+    #[must_use]
+    pub fn is_static(&self) -> bool {
+        self.mass.is_none()
     }
-    for (i, aabb) in tree.boxes().iter().enumerate() {
+}
+
+/// The bounding boxes of the bodies that have one: those that overlap one of another moving body
+/// stand out. `pairs` are the broad phase's.
+#[must_use]
+pub fn boxes(aabbs: &[Aabb], pairs: &[(usize, usize)], bodies: &[BodyView]) -> Drawing {
+    let mut drawing = Drawing::default();
+    let mut is_paired = vec![false; bodies.len()];
+    for &(a, b) in pairs {
+        is_paired[a] |= !bodies[b].is_static();
+        is_paired[b] |= !bodies[a].is_static();
+    }
+    for (i, aabb) in aabbs.iter().enumerate() {
         if !aabb.min.is_finite() {
             continue;
         }
-        let (width, color) = match (is_static[i], is_paired[i]) {
+        let (width, color) = match (bodies[i].is_static(), is_paired[i]) {
             (true, _) => (0.8, palette::GREY),
             (false, true) => (1.5, palette::ORANGE),
             (false, false) => (1.5, palette::BLUE),
@@ -56,11 +73,10 @@ pub fn boxes(tree: &CollisionTree, bodies: &[Shared<RigidBody>]) -> Drawing {
     drawing
 }
 
-/// The cells of the KD-tree, a colour a level.
+/// The cells of the KD-tree with how deep each lies, a colour a level.
 #[must_use]
-pub fn cells(tree: &CollisionTree) -> Drawing {
+pub fn cells(cells: &[(Aabb, u32)]) -> Drawing {
     let mut drawing = Drawing::default();
-    let cells = tree.cells();
     let deepest = cells.iter().map(|(_, depth)| *depth).max().unwrap_or(0);
     for (cell, depth) in cells.iter().filter(|(cell, _)| cell.min.is_finite()) {
         let width = 1.0 + 1.6 / (1.0 + *depth as f32);
@@ -99,11 +115,11 @@ const BALL: f32 = 4.0 / 3.0 * std::f32::consts::PI;
 const LONGEST: f32 = 6.0;
 
 impl Scale {
-    fn of(bodies: &[Shared<RigidBody>]) -> Self {
+    fn of(bodies: &[BodyView]) -> Self {
         let (mut radius, mut mass, mut count) = (0.0, 0.0, 0.0_f32);
-        for body in bodies.iter().filter(|body| !body.borrow().is_static()) {
-            radius += (body.borrow().collider().volume() / BALL).powf(1.0 / 3.0);
-            mass += body.borrow().mass();
+        for (body, its_mass) in bodies.iter().filter_map(|body| Some((body, body.mass?))) {
+            radius += (body.shape.volume() / BALL).powf(1.0 / 3.0);
+            mass += its_mass;
             count += 1.0;
         }
         Self {
@@ -129,26 +145,27 @@ impl Scale {
 /// the normal and the one across it, which is friction. All are drawn as the body that can move
 /// gets them; where both can, as body 1 does.
 #[must_use]
-pub fn contacts(contacts: &[Contact], bodies: &[Shared<RigidBody>]) -> Drawing {
+pub fn contacts(contacts: &[ContactPoint], bodies: &[BodyView]) -> Drawing {
     let mut drawing = Drawing::default();
     let scale = Scale::of(bodies);
     let spot = 0.16 * scale.radius;
     for contact in contacts {
-        let sign = if bodies[contact.a].borrow().is_static() {
+        let sign = if bodies[contact.a].is_static() {
             -1.0
         } else {
             1.0
         };
-        let (point, normal) = (contact.point, sign * contact.normal);
-        let along = sign * contact.impulse.project_onto_normalized(contact.normal);
-        let across = sign * contact.impulse - along;
+        let (point, normal) = (contact.point.as_vec3(), sign * contact.normal.as_vec3());
+        let impulse = sign * contact.impulse.as_vec3();
+        let along = impulse.project_onto_normalized(normal);
+        let across = impulse - along;
         if contact.depth >= 0.0 {
             drawing.disc(point, normal, spot, NORMAL, 0.45);
             drawing.ring(point, normal, spot, 1.5, NORMAL);
         } else {
             drawing.ring(point, normal, spot, 1.2, GAP);
         }
-        if contact.depth >= 0.0 || contact.impulse != Vec3::ZERO {
+        if contact.depth >= 0.0 || impulse != Vec3::ZERO {
             let tip = point + normal * (0.6 * scale.radius);
             drawing.arrow_with_head(point, tip, 0.12 * scale.radius, 1.2, NORMAL);
         }
@@ -170,12 +187,11 @@ pub fn contacts(contacts: &[Contact], bodies: &[Shared<RigidBody>]) -> Drawing {
 
 /// The axes of each body that can move.
 #[must_use]
-pub fn frames(bodies: &[Shared<RigidBody>]) -> Drawing {
+pub fn frames(bodies: &[BodyView]) -> Drawing {
     let mut drawing = Drawing::default();
-    for body in bodies.iter().filter(|body| !body.borrow().is_static()) {
-        let body = body.borrow();
-        let length = 1.2 * body.collider().bounding_radius();
-        drawing.frame(body.position(), body.orientation(), length, 1.8);
+    for body in bodies.iter().filter(|body| !body.is_static()) {
+        let length = 1.2 * body.shape.bounding_radius();
+        drawing.frame(body.position, body.orientation, length, 1.8);
     }
     drawing
 }

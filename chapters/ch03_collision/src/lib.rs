@@ -1,7 +1,7 @@
 //! Chapter 3: collision. Bounding boxes in a KD-tree find the pairs that may touch, closed forms
 //! tell where they do, and impulses part them.
 //!
-//! The pure functions ([`aabb`], [`kd_tree`], [`narrow`]) know nothing of game objects, so that
+//! The pure functions ([`aabb`], [`kd_tree`], [`narrow`], [`layers`]) know nothing of game objects, so that
 //! chapter 5 can call them over columns.
 
 pub mod aabb;

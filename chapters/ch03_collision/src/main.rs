@@ -11,6 +11,7 @@ fn main() -> ExitCode {
         default_scene: "balls",
         scenes: &[
             "balls",
+            "smooth_balls",
             "mixed",
             "stack",
             "heavy_on_light",

@@ -5,9 +5,11 @@ use ch00_scenes::{
     EngineInfo, Layer, LoadError, PassTime, Pull, Scene, Settings, State,
 };
 use ch02_rigid_bodies::{METHODS, Method};
+use ch03_collision::layers::BodyView;
 use ch03_collision::{CollisionEngine, PassClock};
 
-use crate::{Assembly, layers};
+use crate::layers::{self, AngleView, JointView};
+use crate::{Assembly, RigidJoint};
 
 /// Chapter 4's entry in a list of engines.
 pub const ENGINE: EngineEntry = EngineEntry {
@@ -64,6 +66,21 @@ impl RagdollEngine {
         }
     }
     // ANCHOR_END: constraints
+}
+
+impl From<&RigidJoint> for JointView {
+    fn from(joint: &RigidJoint) -> Self {
+        let (parent, child) = joint.bodies();
+        Self {
+            parent: BodyView::from(&*parent.borrow()),
+            child: BodyView::from(&*child.borrow()),
+            points: joint.points(),
+            angle: joint.angle().map(|angle| AngleView {
+                rest: angle.rest(),
+                limits: *angle.limits(),
+            }),
+        }
+    }
 }
 
 impl Engine for RagdollEngine {
@@ -137,8 +154,8 @@ impl Engine for RagdollEngine {
 
     fn layer(&self, layer: Layer) -> Drawing {
         match layer {
-            Layer::JointFrames => layers::frames(&self.joints),
-            Layer::Limits => layers::limits(&self.joints),
+            Layer::JointFrames => layers::frames(self.joints.joints().map(JointView::from)),
+            Layer::Limits => layers::limits(self.joints.joints().map(JointView::from)),
             _ => self.level.layer(layer),
         }
     }

@@ -1,12 +1,12 @@
-//! What the overlay can draw of joints: their frames, and how far they let a child turn.
+//! What the overlay can draw of joints: their frames, and how far they let a child turn. As in chapter 3,
+//! all of it is drawn from plain values.
 
 use ch00_maths::f32::swing_twist::decompose;
 use ch00_scenes::{Drawing, Rgb, palette};
-use ch02_rigid_bodies::RigidBody;
+use ch03_collision::layers::BodyView;
 use glam::{Quat, Vec3};
 
-use crate::constraints::{Bound, Row};
-use crate::{AngleConstraint, AngleLimits, Assembly, RigidJoint};
+use crate::{AngleLimits, Bound, Row};
 
 const GAP: Rgb = palette::VERMILLION;
 const ARM: Rgb = palette::GREY;
@@ -21,22 +21,45 @@ const NEAR: f32 = 0.02;
 /// A gap is drawn larger than it is, so that it can be seen.
 const MAGNIFIED: f32 = 20.0;
 
+/// A joint as drawings see it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointView {
+    /// Its parent.
+    pub parent: BodyView,
+    /// Its child.
+    pub child: BodyView,
+    /// The points of parent and child that it holds, world, m.
+    pub points: (Vec3, Vec3),
+    /// The angles that it limits, if any.
+    pub angle: Option<AngleView>,
+}
+
+/// Limits of a joint's angles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AngleView {
+    /// j: the child's orientation in the parent at rest.
+    pub rest: Quat,
+    /// How far the child may turn from it.
+    pub limits: AngleLimits,
+}
+
 /// Of every joint: its arms o₁ and o₂, the child's rest frame and its frame, and the gap.
-pub fn frames(joints: &Assembly) -> Drawing {
+#[must_use]
+pub fn frames(joints: impl IntoIterator<Item = JointView>) -> Drawing {
     let mut drawing = Drawing::default();
-    for joint in joints.joints() {
-        let (parent, child) = (joint.bodies().0.borrow(), joint.bodies().1.borrow());
-        let (one, two) = joint.points();
-        let size = size_of(&child);
-        for (body, point) in [(&parent, one), (&child, two)] {
+    for joint in joints {
+        let (parent, child) = (&joint.parent, &joint.child);
+        let (one, two) = joint.points;
+        let size = size_of(child);
+        for (body, point) in [(parent, one), (child, two)] {
             if !body.is_static() {
-                drawing.line(body.position(), point, 1.2, ARM);
+                drawing.line(body.position, point, 1.2, ARM);
             }
         }
-        if let Some(angle) = joint.angle() {
-            let rest = parent.orientation() * angle.rest();
+        if let Some(angle) = joint.angle {
+            let rest = parent.orientation * angle.rest;
             drawing.frame(one, rest, 0.6 * size, 1.0);
-            drawing.frame(two, child.orientation(), size, 2.0);
+            drawing.frame(two, child.orientation, size, 2.0);
         }
         if one != two {
             drawing.line(two, two + MAGNIFIED * (one - two), 3.0, GAP);
@@ -51,11 +74,12 @@ pub fn frames(joints: &Assembly) -> Drawing {
 
 /// Of every joint with limits: the cone that its bone may swing in, the sector of its twist, and
 /// where the bone is.
-pub fn limits(joints: &Assembly) -> Drawing {
+#[must_use]
+pub fn limits(joints: impl IntoIterator<Item = JointView>) -> Drawing {
     let mut drawing = Drawing::default();
-    for joint in joints.joints() {
-        if let Some(angle) = joint.angle() {
-            draw_limits(&mut drawing, joint, angle);
+    for joint in joints {
+        if let Some(angle) = &joint.angle {
+            draw_limits(&mut drawing, &joint, angle);
         }
     }
     drawing.explain(CONE, "directions that the bone may take");
@@ -65,22 +89,22 @@ pub fn limits(joints: &Assembly) -> Drawing {
     drawing
 }
 
-fn draw_limits(drawing: &mut Drawing, joint: &RigidJoint, angle: &AngleConstraint) {
-    let (parent, child) = (joint.bodies().0.borrow(), joint.bodies().1.borrow());
-    let at = joint.points().1;
-    let size = size_of(&child);
-    let frame = parent.orientation() * angle.rest();
-    let bone = match *angle.limits() {
+fn draw_limits(drawing: &mut Drawing, joint: &JointView, angle: &AngleView) {
+    let (parent, child) = (&joint.parent, &joint.child);
+    let at = joint.points.1;
+    let size = size_of(child);
+    let frame = parent.orientation * angle.rest;
+    let bone = match angle.limits {
         AngleLimits::ConeTwist { cone, twist } => {
-            let towards = towards_child(&child, at);
+            let towards = towards_child(child, at);
             if let Some(cone) = cone {
                 drawing.cone(at, frame * Vec3::Y * towards, cone, size, CONE);
             }
-            draw_twist(drawing, at, frame, &child, twist, size);
-            child.orientation() * Vec3::Y * towards
+            draw_twist(drawing, at, frame, child, twist, size);
+            child.orientation * Vec3::Y * towards
         }
         AngleLimits::PitchYawRoll { pitch, yaw, roll } => {
-            let towards = towards_child(&child, at);
+            let towards = towards_child(child, at);
             let turned = if towards < 0.0 {
                 Quat::from_xyzw(1.0, 0.0, 0.0, 0.0)
             } else {
@@ -93,25 +117,27 @@ fn draw_limits(drawing: &mut Drawing, joint: &RigidJoint, angle: &AngleConstrain
                 size,
                 CONE,
             );
-            draw_twist(drawing, at, frame, &child, Some(yaw), size);
-            child.orientation() * Vec3::Y * towards
+            draw_twist(drawing, at, frame, child, Some(yaw), size);
+            child.orientation * Vec3::Y * towards
         }
         AngleLimits::Hinge {
             axis_parent, range, ..
         } => {
-            let axis = parent.orientation() * axis_parent;
-            let out = (child.position() - at).reject_from(axis);
+            let axis = parent.orientation * axis_parent;
+            let out = (child.position - at).reject_from(axis);
             let reach = out.length().max(size);
-            let local = child.orientation().conjugate() * out.normalize_or(Vec3::X);
+            let local = child.orientation.conjugate() * out.normalize_or(Vec3::X);
             drawing.line(at - size * axis, at + size * axis, 2.5, TWIST);
             if let Some(range) = range {
                 drawing.sector(at, axis, frame * local, range, reach, CONE);
             }
-            child.orientation() * local
+            child.orientation * local
         }
     };
     let near = |row: &Row| row.bound != Bound::Fixed && row.room < NEAR;
-    let at_limit = angle.rows(&parent, &child).iter().any(near);
+    let limits = &angle.limits;
+    let rows = limits.rows(parent.orientation, angle.rest, child.orientation);
+    let at_limit = rows.iter().any(near);
     let color = if at_limit { AT_LIMIT } else { WITHIN };
     drawing.arrow(at, at + 1.15 * size * bone, 2.5, color);
 }
@@ -121,14 +147,14 @@ fn draw_twist(
     drawing: &mut Drawing,
     at: Vec3,
     frame: Quat,
-    child: &RigidBody,
+    child: &BodyView,
     range: Option<[f32; 2]>,
     size: f32,
 ) {
     let Some(range) = range else {
         return;
     };
-    let now = child.orientation();
+    let now = child.orientation;
     let twist = decompose(frame.conjugate() * now).twist;
     let axis = now * Vec3::Y;
     let mark = now * Vec3::X;
@@ -156,9 +182,9 @@ fn widest(pitch: [f32; 2], roll: [f32; 2], azimuth: f32) -> f32 {
 }
 
 /// Whether the child lies along its y axis from the joint or against it.
-fn towards_child(child: &RigidBody, at: Vec3) -> f32 {
-    let out = child.position() - at;
-    if out.dot(child.orientation() * Vec3::Y) < 0.0 {
+fn towards_child(child: &BodyView, at: Vec3) -> f32 {
+    let out = child.position - at;
+    if out.dot(child.orientation * Vec3::Y) < 0.0 {
         -1.0
     } else {
         1.0
@@ -166,6 +192,6 @@ fn towards_child(child: &RigidBody, at: Vec3) -> f32 {
 }
 
 /// How large a joint is drawn.
-fn size_of(child: &RigidBody) -> f32 {
-    0.9 * child.collider().bounding_radius()
+fn size_of(child: &BodyView) -> f32 {
+    0.9 * child.shape.bounding_radius()
 }

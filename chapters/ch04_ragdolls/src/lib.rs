@@ -6,7 +6,7 @@
 
 mod constraints;
 mod engine;
-mod layers;
+pub mod layers;
 mod load;
 mod ragdoll;
 mod rigid_bone;

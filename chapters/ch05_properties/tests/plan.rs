@@ -3,7 +3,7 @@
 use ch00_scenes::{Engine, Scene, Settings, builtin};
 use ch05_properties::PropertiesEngine;
 use ch05_properties::columns::AnyTable;
-use ch05_properties::plan::{Part, Plan, SYSTEMS, needs_of};
+use ch05_properties::plan::{Part, Plan, SYSTEMS, System, needs_of};
 use ch05_properties::world::Method;
 use glam::DVec3;
 
@@ -47,7 +47,7 @@ fn every_column_that_is_kept_is_read_or_written_by_a_system_that_runs() {
             let settings = Settings::defaults().with_method(name);
             let engine = PropertiesEngine::load(&scene, &settings).expect("it runs");
             let plan = Plan::of(&scene, method);
-            let named: Vec<_> = plan.systems().flat_map(|system| system.columns()).collect();
+            let named: Vec<_> = plan.systems().flat_map(System::columns).collect();
             for table in engine.world().data.tables() {
                 for (place, spec) in table.specs().iter().enumerate() {
                     let is_it = |&&(of, column): &&(&str, &str)| {

@@ -103,7 +103,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         }
     }
     Ok(Product {
-        charts: vec![chart(&samples)],
+        charts: vec![chart(&samples).into()],
         csv: csv(&samples),
         page: Some(page(&samples)),
     })

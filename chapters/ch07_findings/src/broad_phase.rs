@@ -131,7 +131,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(crowd.title());
     }
     Ok(Product {
-        charts: CROWDS.map(|crowd| chart(crowd, &samples)).to_vec(),
+        charts: CROWDS.map(|crowd| chart(crowd, &samples).into()).to_vec(),
         csv: csv(&samples),
         page: Some(page(&samples)),
     })

@@ -119,7 +119,9 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(scene);
     }
     Ok(Product {
-        charts: vec![by_sweeps(&chains), by_mass(&chains), by_links(&chains)],
+        charts: [by_sweeps(&chains), by_mass(&chains), by_links(&chains)]
+            .map(Into::into)
+            .to_vec(),
         csv: csv(&chains),
         page: Some(page(&chains)),
     })

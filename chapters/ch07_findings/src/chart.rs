@@ -1,6 +1,15 @@
 //! A chart as data: what was measured, before anyone draws it. `draw` turns it into SVG and
 //! CSV, tests look at the numbers.
 
+/// A picture of one kind or the other.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Picture {
+    /// Curves over a pair of axes.
+    Curves(Chart),
+    /// Bars along one axis.
+    Bars(Bars),
+}
+
 /// A chart: curves over a common pair of axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chart {
@@ -62,6 +71,66 @@ pub enum Style {
     Other(usize),
     /// Marks alone, without a line, as of [`Style::Other`] of this number.
     Marks(usize),
+}
+
+/// A chart of bars: groups of them, one under the other, along a common axis that is evenly divided.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bars {
+    /// File name without ending, and what `chart NAME` says.
+    pub name: &'static str,
+    /// What it shows, in one line.
+    pub title: String,
+    /// Quantity and unit of the lengths.
+    pub label: String,
+    /// What a bar is made of, from 0 outwards. The legend names them, unless it is one.
+    pub parts: Vec<&'static str>,
+    /// The groups.
+    pub groups: Vec<Group>,
+}
+
+/// Bars that belong together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Stands above them.
+    pub name: String,
+    /// The bars.
+    pub bars: Vec<Bar>,
+}
+
+/// One bar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bar {
+    /// Stands before it.
+    pub name: String,
+    /// A length a part.
+    pub lengths: Vec<f64>,
+    /// The ends of its error bar, if it has one.
+    pub spread: Option<(f64, f64)>,
+    /// Stands after it.
+    pub note: String,
+}
+
+impl Picture {
+    /// File name without ending.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Picture::Curves(chart) => chart.name,
+            Picture::Bars(bars) => bars.name,
+        }
+    }
+}
+
+impl From<Chart> for Picture {
+    fn from(chart: Chart) -> Self {
+        Picture::Curves(chart)
+    }
+}
+
+impl From<Bars> for Picture {
+    fn from(bars: Bars) -> Self {
+        Picture::Bars(bars)
+    }
 }
 
 impl Axis {

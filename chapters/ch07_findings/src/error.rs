@@ -34,6 +34,18 @@ pub enum FindingsError {
         /// What the system says.
         source: std::io::Error,
     },
+    /// Two runs that are compared went different ways.
+    #[error("chart `{chart}`, scene `{scene}`: {run} doesn't have the same bits: {what}")]
+    Differs {
+        /// Name of the chart.
+        chart: &'static str,
+        /// Name of the scene.
+        scene: String,
+        /// Which run differs from the first.
+        run: String,
+        /// In what.
+        what: String,
+    },
     /// The drawing library gave up.
     #[error("chart `{chart}` can't be drawn: {why}")]
     Draw {

@@ -66,7 +66,7 @@ pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(&format!("{rate} Hz"));
     }
     Ok(Product {
-        charts: vec![errors(&checks), directions(&stops)],
+        charts: vec![errors(&checks).into(), directions(&stops).into()],
         csv: csv(&checks, &stops),
         page: Some(page(&checks, &stops)),
     })

@@ -73,6 +73,67 @@ pub fn median(values: impl IntoIterator<Item = f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
+/// Values in short: the one in the middle, and how far they lie apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spread {
+    /// The one in the middle.
+    pub median: f64,
+    /// One at the lower end.
+    pub low: f64,
+    /// One at the upper end.
+    pub high: f64,
+}
+
+impl Spread {
+    /// From the least to the largest.
+    pub fn of_all(values: &[f64]) -> Self {
+        Self {
+            median: median(values.iter().copied()),
+            low: values.iter().copied().fold(f64::INFINITY, f64::min),
+            high: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+
+    /// Without the lowest and the highest tenth.
+    pub fn of_tenths(values: &[f64]) -> Self {
+        let mut values = values.to_vec();
+        values.sort_by(f64::total_cmp);
+        let tenth = values.len() / 10;
+        let low = values.get(tenth).copied();
+        let high = values.iter().rev().nth(tenth).copied();
+        Self {
+            median: median(values.iter().copied()),
+            low: low.unwrap_or(f64::NAN),
+            high: high.unwrap_or(f64::NAN),
+        }
+    }
+
+    /// The same in another unit.
+    pub fn times(self, factor: f64) -> Self {
+        Self {
+            median: factor * self.median,
+            low: factor * self.low,
+            high: factor * self.high,
+        }
+    }
+
+    /// Whether the two have values in common.
+    pub fn overlaps(self, other: Self) -> bool {
+        self.low <= other.high && other.low <= self.high
+    }
+}
+
+/// What the system calls the processor, as far as it says.
+pub fn processor() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = text
+        .lines()
+        .find_map(|line| line.strip_prefix("model name")?.split_once(':'))
+        .map(|(_, name)| name.trim().to_owned());
+    let unnamed = || format!("an unnamed {} processor", std::env::consts::ARCH);
+    name.filter(|name| !name.is_empty()).unwrap_or_else(unnamed)
+}
+
 /// The largest; what is no number is larger than all others. 0 of none.
 pub fn worst(values: impl IntoIterator<Item = f64>) -> f64 {
     let larger = |a: f64, b: f64| if b > a || b.is_nan() { b } else { a };

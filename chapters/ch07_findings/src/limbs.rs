@@ -58,7 +58,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(method);
     }
     Ok(Product {
-        charts: vec![outside(&samples), overlap(&samples)],
+        charts: vec![outside(&samples).into(), overlap(&samples).into()],
         csv: csv(&samples),
         page: Some(page(&samples, seeds.len())),
     })

@@ -55,7 +55,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(&format!("{method}, {sweeps} sweeps"));
     }
     Ok(Product {
-        charts: vec![sinks(&pairs), map(&pairs)],
+        charts: vec![sinks(&pairs).into(), map(&pairs).into()],
         csv: csv(&pairs),
         page: Some(page(&pairs)),
     })

@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::chart::Chart;
+use crate::chart::{Chart, Picture};
 use crate::errata::ERRATA;
 use crate::{
-    FindingsError, bounce, broad_phase, chain, draw, friction, limbs, mass_ratio, ragdoll_run,
-    stack, sweeps, table1, table2, tunnelling,
+    FindingsError, bounce, broad_phase, chain, columns, draw, friction, integrate, left_out, limbs,
+    mass_ratio, ragdoll_run, stack, sweeps, table1, table2, tunnelling,
 };
 
 /// Where a measurement tells how far it is.
@@ -17,7 +17,7 @@ pub type Say<'a> = &'a mut dyn FnMut(&str);
 #[derive(Clone, Debug, PartialEq)]
 pub struct Product {
     /// The pictures, at least one: the first one's name is that of the other files.
-    pub charts: Vec<Chart>,
+    pub charts: Vec<Picture>,
     /// The numbers.
     pub csv: String,
     /// The numbers as the book includes them, in Markdown, but not a page of its own: hence the ending
@@ -45,7 +45,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 12] = [
+const MEASURED: [(&str, &str, Measure); 15] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -106,6 +106,21 @@ const MEASURED: [(&str, &str, Measure); 12] = [
         "joints, limits, overlaps and energy of eight ragdolls against time",
         ragdoll_run::product,
     ),
+    (
+        "columns",
+        "time of a step and of its parts: objects, all columns, and those that a scene needs",
+        columns::product,
+    ),
+    (
+        "integrate",
+        "time to advance a body: objects and columns beside copying memory",
+        integrate::product,
+    ),
+    (
+        "left_out",
+        "what each part that a plan leaves out would cost",
+        left_out::product,
+    ),
 ];
 
 /// All charts, in the order in which they are made.
@@ -143,7 +158,7 @@ impl Product {
     pub fn of(chart: Chart) -> Self {
         Self {
             csv: draw::csv(&chart),
-            charts: vec![chart],
+            charts: vec![chart.into()],
             page: None,
         }
     }
@@ -155,9 +170,9 @@ impl Product {
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, FindingsError> {
         let mut files = Vec::new();
         for chart in &self.charts {
-            files.push((format!("{}.svg", chart.name), draw::svg(chart)?));
+            files.push((format!("{}.svg", chart.name()), draw::picture(chart)?));
         }
-        let name = self.charts.first().map_or("", |chart| chart.name);
+        let name = self.charts.first().map_or("", Picture::name);
         files.push((format!("{name}.csv"), self.csv.clone()));
         files.extend(self.page.clone().map(|page| (format!("{name}.txt"), page)));
         let mut written = Vec::new();

@@ -103,7 +103,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(&format!("seed {seed}"));
     }
     Ok(Product {
-        charts: QUANTITIES.iter().map(|q| q.chart(&runs)).collect(),
+        charts: QUANTITIES.iter().map(|q| q.chart(&runs).into()).collect(),
         csv: csv(seeds, &runs),
         page: Some(page(&runs)),
     })

@@ -12,7 +12,7 @@ use ch00_shell::summary::Timing;
 use crate::FindingsError;
 use crate::chart::{Axis, Chart, Series, Style};
 use crate::draw;
-use crate::lab::{median, worst};
+use crate::lab::{median, processor, worst};
 use crate::table::three_digits;
 
 /// What the report says of a scene: largest and smallest ten-frame mean, 1/s.
@@ -257,17 +257,6 @@ fn reported_row(line: &str) -> Option<Reported> {
         max_fps: max_fps.parse().ok()?,
         min_fps: min_fps.parse().ok()?,
     })
-}
-
-/// What the system calls the processor, as far as it says.
-fn processor() -> String {
-    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = text
-        .lines()
-        .find_map(|line| line.strip_prefix("model name")?.split_once(':'))
-        .map(|(_, name)| name.trim().to_owned());
-    let unnamed = || format!("an unnamed {} processor", std::env::consts::ARCH);
-    name.filter(|name| !name.is_empty()).unwrap_or_else(unnamed)
 }
 
 #[cfg(test)]

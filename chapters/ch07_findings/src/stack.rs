@@ -66,7 +66,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(&format!("{method}, {sweeps} sweeps"));
     }
     Ok(Product {
-        charts: vec![map(&towers), moved(&towers)],
+        charts: vec![map(&towers).into(), moved(&towers).into()],
         csv: csv(&towers),
         page: Some(page(&towers)),
     })

@@ -55,7 +55,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(&format!("{sweeps} sweeps"));
     }
     Ok(Product {
-        charts: vec![chart(count, &samples)],
+        charts: vec![chart(count, &samples).into()],
         csv: csv(&samples),
         page: Some(page(&samples)),
     })

@@ -58,7 +58,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
     let title = "Bouncing balls: time of a frame, slowest and fastest mean of ten";
     let all = rows.iter().map(|row| &row.rates);
     Ok(Product {
-        charts: vec![rates::chart("table1", title, "balls", &all, &reported)],
+        charts: vec![rates::chart("table1", title, "balls", &all, &reported).into()],
         csv: csv(&rows, &reported),
         page: Some(page(&rows, &reported)),
     })

@@ -71,7 +71,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
     let title = "Stacked ragdolls: time of a frame, slowest and fastest mean of ten";
     let all = rows.iter().map(|row| &row.rates);
     Ok(Product {
-        charts: vec![rates::chart("table2", title, "ragdolls", &all, &reported)],
+        charts: vec![rates::chart("table2", title, "ragdolls", &all, &reported).into()],
         csv: csv(&rows, &reported),
         page: Some(page(&rows, &reported)),
     })

@@ -93,7 +93,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         say(&format!("{method}, fastest that is held"));
     }
     Ok(Product {
-        charts: vec![shares(&samples), by_rate(&edges)],
+        charts: vec![shares(&samples).into(), by_rate(&edges).into()],
         csv: csv(&samples, &edges),
         page: Some(page(&samples, &edges)),
     })

@@ -19,6 +19,7 @@ pub mod ragdolls;
 mod slide;
 mod slip_to_roll;
 mod slopes;
+mod smooth_balls;
 mod stack;
 mod tops;
 mod tunnelling;
@@ -103,6 +104,12 @@ const LIST: &[Entry] = &[
         "balls of random size and speed fall into an open box (report, Table 1)",
         seeded("balls", 60, [0, 100_000]),
         balls::build,
+    ),
+    scaled(
+        "smooth_balls",
+        "the same balls without friction and without spin: the least that a body can need",
+        seeded("balls", 60, [0, 100_000]),
+        smooth_balls::build,
     ),
     fixed(
         "pair",
@@ -347,7 +354,10 @@ mod tests {
     fn an_unknown_name_is_answered_with_the_known_ones() {
         let message = build("bals", None, None).unwrap_err().to_string();
         assert!(message.contains("`bals`"), "{message}");
-        assert!(message.contains("balls, pair, bounce"), "{message}");
+        assert!(
+            message.contains("balls, smooth_balls, pair, bounce"),
+            "{message}"
+        );
     }
 
     #[test]
@@ -355,8 +365,8 @@ mod tests {
         let message = build("pair", Some(3), None).unwrap_err().to_string();
         assert_eq!(
             message,
-            "scene `pair` has no `--count`: these scenes have one: balls, mixed, stack, \
-             heavy_on_light, tunnelling, cradle, chain, chain_hanging, ragdolls"
+            "scene `pair` has no `--count`: these scenes have one: balls, smooth_balls, mixed, \
+             stack, heavy_on_light, tunnelling, cradle, chain, chain_hanging, ragdolls"
         );
     }
 
@@ -367,7 +377,8 @@ mod tests {
             assert_eq!(
                 message,
                 format!(
-                    "scene `{name}` has no `--seed`: these scenes have one: balls, mixed, ragdolls"
+                    "scene `{name}` has no `--seed`: these scenes have one: balls, smooth_balls, \
+                     mixed, ragdolls"
                 )
             );
         }
@@ -377,6 +388,7 @@ mod tests {
     fn a_count_out_of_range_is_refused_with_the_range_and_what_it_counts() {
         for (name, count, expected) in [
             ("balls", 100_001, "it can have 0 to 100000 balls"),
+            ("smooth_balls", 100_001, "it can have 0 to 100000 balls"),
             ("ragdolls", 1001, "it can have 0 to 1000 ragdolls"),
             ("stack", 0, "it can have 1 to 100 cubes"),
             ("chain", 0, "it can have 1 to 1000 links"),

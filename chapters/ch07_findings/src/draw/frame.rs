@@ -260,7 +260,7 @@ fn lanes(chart: &Chart, y: &Scale) -> Vec<usize> {
 }
 
 /// Lines with a number are stronger than those between.
-fn grid(tick: &Tick) -> super::canvas::Ink {
+pub fn grid(tick: &Tick) -> super::canvas::Ink {
     GREY.faint(if tick.label.is_empty() { 0.12 } else { 0.3 })
 }
 

@@ -1,4 +1,4 @@
-//! The legend: a sample and a name for each curve, in rows above the plot, where they hide
+//! The legend: a sample and a name for each curve or part of a bar, in rows above the plot, where they hide
 //! nothing.
 
 use plotters::style::text_anchor::HPos;
@@ -8,8 +8,10 @@ use super::marks;
 use super::text::{self, LABEL};
 use crate::chart::{Series, Style};
 
-/// Length of a sample, pixels.
-const SAMPLE: f64 = 28.0;
+/// Length of a curve's sample, pixels.
+const LINE: f64 = 28.0;
+/// Length and height of a part's sample, pixels.
+const FILL: f64 = 13.0;
 /// Between a sample and its name, pixels.
 const GAP: f64 = 6.0;
 /// Between two entries of a row, pixels.
@@ -24,26 +26,57 @@ pub struct Legend {
 }
 
 struct Entry {
-    style: Style,
+    sample: Sample,
     name: String,
     row: usize,
     /// From the left end of the row, pixels.
     x: f64,
 }
 
+/// What stands before a name.
+#[derive(Clone, Copy)]
+enum Sample {
+    /// A piece of a curve with its mark.
+    Curve(Style),
+    /// A piece of the bars' part of this number.
+    Part(usize),
+}
+
+impl Sample {
+    fn length(self) -> f64 {
+        match self {
+            Sample::Curve(_) => LINE,
+            Sample::Part(_) => FILL,
+        }
+    }
+}
+
 impl Legend {
-    /// Arranges the names in rows of at most `width` pixels.
+    /// Arranges the names of curves in rows of at most `width` pixels.
     pub fn new(series: &[Series], width: f64) -> Self {
+        let named = series.iter().filter(|one| !one.name.is_empty());
+        let entries = named.map(|one| (Sample::Curve(one.style), one.name.as_str()));
+        Self::arranged(entries, width)
+    }
+
+    /// The same for the parts of bars.
+    pub fn of_parts(names: &[&str], width: f64) -> Self {
+        let numbered = names.iter().enumerate();
+        let entries = numbered.map(|(number, &name)| (Sample::Part(number), name));
+        Self::arranged(entries, width)
+    }
+
+    fn arranged<'a>(named: impl Iterator<Item = (Sample, &'a str)>, width: f64) -> Self {
         let (mut row, mut x) = (0, 0.0);
         let mut entries = Vec::new();
-        for one in series.iter().filter(|one| !one.name.is_empty()) {
-            let wide = SAMPLE + GAP + text::width(&one.name, LABEL);
+        for (sample, name) in named {
+            let wide = sample.length() + GAP + text::width(name, LABEL);
             if x > 0.0 && x + wide > width {
                 (row, x) = (row + 1, 0.0);
             }
             entries.push(Entry {
-                style: one.style,
-                name: one.name.clone(),
+                sample,
+                name: name.to_owned(),
                 row,
                 x,
             });
@@ -62,9 +95,17 @@ impl Legend {
     pub fn draw(&self, canvas: &mut Canvas, x: f64, y: f64) -> Drawn {
         for entry in &self.entries {
             let (left, y) = (x + entry.x, y + ROW * entry.row as f64);
-            marks::line(canvas, entry.style, &[(left, y), (left + SAMPLE, y)])?;
-            marks::mark(canvas, entry.style, (left + 0.5 * SAMPLE, y))?;
-            let name_at = left + SAMPLE + GAP;
+            let right = left + entry.sample.length();
+            match entry.sample {
+                Sample::Curve(style) => {
+                    marks::line(canvas, style, &[(left, y), (right, y)])?;
+                    marks::mark(canvas, style, (0.5 * (left + right), y))?;
+                }
+                Sample::Part(number) => {
+                    marks::part(canvas, number, [left, right], y, FILL)?;
+                }
+            }
+            let name_at = right + GAP;
             canvas.text(&entry.name, name_at, y, &text::label(HPos::Left))?;
         }
         Ok(())

@@ -29,6 +29,19 @@ const OTHERS: [(Ink, Shape); 5] = [
     (Ink::full((0x9A, 0x8F, 0x1A)), Shape::Triangle),
 ];
 
+/// The colours of a bar's parts, in order: neighbours are light and dark in turn.
+const PARTS: [Style; 7] = [
+    Style::Corrected,
+    Style::Other(3),
+    Style::Other(0),
+    Style::Other(2),
+    Style::Printed,
+    Style::Other(1),
+    Style::Theory,
+];
+/// Between two parts, pixels.
+const BETWEEN_PARTS: f64 = 0.8;
+
 /// The colour of a curve.
 pub fn ink(style: Style) -> Ink {
     look(style).0
@@ -53,6 +66,23 @@ pub fn line(canvas: &mut Canvas, style: Style, points: &[Point]) -> Drawn {
         Style::Marks(_) => Ok(()),
         _ => canvas.line(points, ink(style), 2.0),
     }
+}
+
+/// Draws a part of a bar about the height `y`, and a line of nothing at its right end, which tells it
+/// from the next one whatever the colours.
+pub fn part(canvas: &mut Canvas, number: usize, ends: [f64; 2], y: f64, height: f64) -> Drawn {
+    let [left, right] = ends;
+    let (right, half) = (right - BETWEEN_PARTS, 0.5 * height);
+    if right <= left {
+        return Ok(());
+    }
+    let corners = [
+        (left, y - half),
+        (right, y - half),
+        (right, y + half),
+        (left, y + half),
+    ];
+    canvas.polygon(&corners, ink(PARTS[number % PARTS.len()]))
 }
 
 /// Draws an error bar between two points, one above the other, with a short line across each end.

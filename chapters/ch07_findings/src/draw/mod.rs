@@ -4,6 +4,7 @@
 //! what no axis can hold (NaN and infinities) stands on a labelled band at the edge. The same
 //! chart gives the same bytes.
 
+mod bars;
 mod canvas;
 mod csv;
 mod curves;
@@ -17,7 +18,7 @@ mod text;
 pub use csv::{csv, quoted};
 pub(crate) use numbers::{grouped, superscript};
 
-use crate::chart::Chart;
+use crate::chart::{Chart, Picture};
 use crate::error::FindingsError;
 use canvas::{Canvas, Drawn};
 use frame::Frame;
@@ -29,6 +30,17 @@ const WIDTH: f64 = 720.0;
 const PLOT_HEIGHT: f64 = 330.0;
 /// Free space at the edges, pixels.
 const MARGIN: f64 = 10.0;
+
+/// A picture of either kind as an SVG file.
+///
+/// # Errors
+/// [`FindingsError::Draw`] where the drawing library gives up.
+pub fn picture(picture: &Picture) -> Result<String, FindingsError> {
+    match picture {
+        Picture::Curves(chart) => svg(chart),
+        Picture::Bars(chart) => bars::svg(chart),
+    }
+}
 
 /// The chart as an SVG file: transparent ground, no fonts or scripts from elsewhere.
 ///
