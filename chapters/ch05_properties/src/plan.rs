@@ -56,12 +56,16 @@ pub enum Part {
     FixedPoints,
     /// Boxes about what can't move are made in every step.
     Obstacles,
+    /// Sweeps visit bodies that haven't changed since a visit that found nothing.
+    IdleVisits,
+    /// Sweeps visit touches in the order of rows.
+    RowOrder,
 }
 // ANCHOR_END: part
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 17] = [
+    pub const ALL: [Part; 19] = [
         Part::Corrected,
         Part::Printed,
         Part::Turning,
@@ -79,6 +83,8 @@ impl Part {
         Part::Mouse,
         Part::FixedPoints,
         Part::Obstacles,
+        Part::IdleVisits,
+        Part::RowOrder,
     ];
 
     /// What it is called where it is left out.
@@ -102,6 +108,8 @@ impl Part {
             Part::Mouse => "the mouse",
             Part::FixedPoints => "fixed points",
             Part::Obstacles => "boxes of obstacles in every step",
+            Part::IdleVisits => "visits that find nothing",
+            Part::RowOrder => "touches in the order of rows",
         }
     }
 
@@ -126,6 +134,8 @@ impl Part {
             Part::Mouse => "the mouse drags nothing",
             Part::FixedPoints => "nothing hangs on a fixed point",
             Part::Obstacles => "what can't move keeps its box",
+            Part::IdleVisits => "where nothing has changed since, they would find nothing again",
+            Part::RowOrder => "those that share no body that can move may change places",
         }
     }
 }

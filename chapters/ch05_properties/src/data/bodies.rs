@@ -37,9 +37,9 @@ crate::table! {
         /// ΣT, where it is now.
         torque: Vec3, "T", "N m";
         /// What supports, friction and joints changed its velocity by in the last step.
-        held_velocity: Vec3, "Δv", "m/s";
+        held_velocity: Vec3, "v_held", "m/s";
         /// What they changed its angular velocity by.
-        held_spin: Vec3, "Δω", "rad/s";
+        held_spin: Vec3, "ω_held", "rad/s";
     }
 }
 

@@ -21,7 +21,7 @@ crate::table! {
         /// Between the two surfaces.
         point: Vec3, "c", "m";
         /// The impulse that holds the bodies apart at rest.
-        support: f32, "N", "N s";
+        support: f32, "λ_k", "N s";
         /// The impulse of friction at rest.
         rub: Vec3, "C_t", "N s";
         /// The impulse of impacts: never taken back.
@@ -41,9 +41,9 @@ crate::table! {
         /// The slowest approach that is an impact.
         slowest_impact: f32, "u_min", "m/s";
         /// What a unit impulse along the normal changes.
-        response: f32, "w_n", "1/kg";
+        response: f32, "k", "1/kg";
         /// What one across the normal changes, at most.
-        response_across: f32, "w_t", "1/kg";
+        response_across: f32, "k_t", "1/kg";
         /// e of the pair.
         restitution: f32, "e", "";
         /// μ of the pair.

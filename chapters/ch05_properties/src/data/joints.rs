@@ -26,7 +26,7 @@ crate::table! {
         /// Row of the child.
         child: u32, "2", "";
         /// Index of the joint in the scene.
-        scene_joint: u32, "j", "";
+        scene_joint: u32, "#", "";
         /// 0 for a pin, 1 for a rod.
         kind: u32, "kind", "";
         /// Row of the pin or the rod.

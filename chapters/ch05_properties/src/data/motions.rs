@@ -13,9 +13,9 @@ crate::table! {
         /// Its angular velocity, as far as it is resolved.
         spin: Vec3, "ω", "rad/s";
         /// How far it has been nudged.
-        shift: Vec3, "Δp", "m";
+        shift: Vec3, "δp", "m";
         /// By what it has been turned.
-        turn: Vec3, "Δq", "rad";
+        turn: Vec3, "δq", "rad";
         /// I⁻¹ in world axes.
         inverse_inertia: Mat3, "M", "1/(kg m²)";
         /// I⁻¹ of a ball.

@@ -60,7 +60,7 @@ macro_rules! system {
     };
 }
 
-// ANCHOR: systems
+// ANCHOR: first
 /// All systems, in the order of a step.
 pub const SYSTEMS: &[System] = &[
     system!("advance positions", "p by velocity-less Verlet", IN_A_STEP, [],
@@ -71,6 +71,7 @@ pub const SYSTEMS: &[System] = &[
         World::advance_orientations,
         reads ["bodies.inverse_mass", "bodies.inertia", "bodies.inverse_inertia", "bodies.torque"],
         writes ["bodies.orientation", "bodies.last_orientation"]),
+    // ANCHOR_END: first
     system!("hold fixed points", "p from q", IN_A_STEP, [FixedPoints],
         World::place_held,
         reads ["fixed_points.body", "fixed_points.point", "fixed_points.arm",
@@ -158,7 +159,6 @@ pub const SYSTEMS: &[System] = &[
         reads [JOINTS, LIMITS, "rods.length", "bodies.position", "bodies.orientation"],
         writes [ARMS, "pins.left", "rods.left", "turns.left"]),
 ];
-// ANCHOR_END: systems
 
 impl System {
     /// The columns that it reads or writes, by table and name.

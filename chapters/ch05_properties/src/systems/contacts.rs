@@ -311,6 +311,8 @@ pub fn hold(contacts: &mut Contacts, c: usize, pair: &mut impl Pair, rules: Rule
     }
 }
 
+// ANCHOR_END: hold
+
 /// Mends the friction under this support.
 #[inline]
 fn rub(
@@ -337,4 +339,3 @@ fn rub(
         much: change.length() * across > rules.still,
     }
 }
-// ANCHOR_END: hold

@@ -289,7 +289,7 @@ impl Held<Turning<'_>> for Jointed<'_> {
         for joint in 0..self.assembly.joints.rows() {
             let (kind, at) = self.assembly.ends(joint);
             let seen = self.assembly.joints.seen[joint];
-            if Visits::is_due(seen, at.parent, at.child, movers) {
+            if visits.is_due(seen, at.parent, at.child, movers) {
                 let parted = match kind {
                     Kind::Pin => pin::part(self, at, movers) + angle::part(self, at, movers),
                     Kind::Rod => rod::part(self, at, movers),

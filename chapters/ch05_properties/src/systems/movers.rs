@@ -42,6 +42,9 @@ pub trait Movers {
     fn shorten_shift(&mut self, row: usize, longest: f32);
 }
 
+// ANCHOR_END: movers
+
+// ANCHOR: pair
 /// Two bodies that touch.
 pub trait Pair {
     /// v_r: velocity of body 1's point r₁ relative to body 2's point r₂, m/s.
@@ -62,7 +65,7 @@ pub trait Pair {
     /// An impulse through the centre of one body alone, N s.
     fn push_one(&mut self, body: usize, impulse: Vec3);
 }
-// ANCHOR_END: movers
+// ANCHOR_END: pair
 
 // ANCHOR: gliding
 /// Bodies that nothing can turn: every impulse goes through their centres.

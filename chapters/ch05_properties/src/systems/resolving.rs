@@ -64,6 +64,7 @@ pub fn inertia_in_world(bodies: &Bodies, row: usize) -> Mass {
 /// Nudges bodies until none overlap and all joints are closed. Velocities stay.
 ///
 /// Where a sweep still nudges bodies far, as when limbs crash into each other, it goes on for longer.
+/// `every` asks for idle visits too.
 pub fn push_apart<M: Movers>(
     contacts: &mut Contacts,
     touches: &mut Touches,
@@ -71,8 +72,9 @@ pub fn push_apart<M: Movers>(
     joints: &mut impl Held<M>,
     involved: &[u32],
     rules: Rules,
+    every: bool,
 ) {
-    let mut visits = Visits::begin(involved, [&mut touches.seen, joints.seen()], movers);
+    let mut visits = Visits::begin(every, involved, [&mut touches.seen, joints.seen()], movers);
     for sweep in 1..=3 * rules.sweeps {
         let mut furthest = joints.part(movers, &mut visits);
         for touch in 0..touches.rows() {
@@ -90,6 +92,9 @@ pub fn push_apart<M: Movers>(
     }
 }
 
+// ANCHOR_END: push_apart
+
+// ANCHOR: due
 /// Nudges the two bodies of a touch apart, if they have been nudged since its last visit; gives how far,
 /// m.
 #[inline]
@@ -102,7 +107,7 @@ fn part<M: Movers>(
 ) -> f32 {
     let Run { first, end, a, b } = contacts::run(touches, touch);
     let mut furthest = 0.0_f32;
-    if Visits::is_due(touches.seen[touch], a, b, movers) {
+    if visits.is_due(touches.seen[touch], a, b, movers) {
         for c in first..end {
             furthest = furthest.max(contacts::part(contacts, c, movers));
         }
@@ -110,7 +115,7 @@ fn part<M: Movers>(
     }
     furthest
 }
-// ANCHOR_END: push_apart
+// ANCHOR_END: due
 
 /// Cuts the shifts of bodies that know of no obstacle near them, so that none is pushed through one.
 fn shorten_shifts(
@@ -150,13 +155,14 @@ pub fn bounce(
     movers: &mut impl Movers,
     involved: &[u32],
     rules: Rules,
+    every: bool,
 ) -> usize {
-    let mut visits = Visits::begin(involved, [&mut touches.seen, &mut []], movers);
+    let mut visits = Visits::begin(every, involved, [&mut touches.seen, &mut []], movers);
     for _ in 0..rules.sweeps {
         let mut impacts = 0;
         for touch in 0..touches.rows() {
             let run = contacts::run(touches, touch);
-            if !Visits::is_due(touches.seen[touch], run.a, run.b, movers) {
+            if !visits.is_due(touches.seen[touch], run.a, run.b, movers) {
                 continue;
             }
             let mut pair = movers.moving_pair(run.a, run.b);
@@ -227,6 +233,7 @@ pub fn rest<M: Movers>(
     joints: &mut impl Held<M>,
     involved: &[u32],
     rules: Rules,
+    every: bool,
 ) {
     joints.resume(movers);
     for touch in 0..touches.rows() {
@@ -237,12 +244,12 @@ pub fn rest<M: Movers>(
         }
         movers.set_moving_pair(run.a, run.b, &pair);
     }
-    let mut visits = Visits::begin(involved, [&mut touches.seen, joints.seen()], movers);
+    let mut visits = Visits::begin(every, involved, [&mut touches.seen, joints.seen()], movers);
     for sweep in 0..rules.sweeps {
         let mut much = joints.hold(movers, &mut visits, rules.still);
         for touch in 0..touches.rows() {
             let run = contacts::run(touches, touch);
-            if Visits::is_due(touches.seen[touch], run.a, run.b, movers) {
+            if visits.is_due(touches.seen[touch], run.a, run.b, movers) {
                 let mended = hold_in_turn(contacts, run, sweep % 2 == 1, movers, rules);
                 touches.seen[touch] = visits.note(run.a, run.b, mended.anything, movers);
                 much |= mended.much;

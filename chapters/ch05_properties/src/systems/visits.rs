@@ -11,24 +11,31 @@ use crate::data::{Contacts, Touch, Touches};
 /// Numbers the visits of a system's sweeps.
 pub struct Visits {
     now: u32,
+    /// Whether idle ones are made too.
+    every: bool,
 }
 
 impl Visits {
     /// Before the first visit: everything has just changed, nothing has been looked at.
-    pub fn begin(involved: &[u32], seen: [&mut [u32]; 2], movers: &mut impl Movers) -> Self {
+    pub fn begin(
+        every: bool,
+        involved: &[u32],
+        seen: [&mut [u32]; 2],
+        movers: &mut impl Movers,
+    ) -> Self {
         for seen in seen {
             seen.fill(0);
         }
         for &row in involved {
             movers.set_changed(row as usize, 1);
         }
-        Self { now: 1 }
+        Self { now: 1, every }
     }
 
     /// Whether one of the two bodies has changed since the visit `seen`.
     #[inline]
-    pub fn is_due(seen: u32, a: usize, b: usize, movers: &impl Movers) -> bool {
-        movers.changed(a) > seen || movers.changed(b) > seen
+    pub fn is_due(&self, seen: u32, a: usize, b: usize, movers: &impl Movers) -> bool {
+        self.every || movers.changed(a) > seen || movers.changed(b) > seen
     }
 
     /// Notes a visit to two bodies, and whether it changed them; gives its number. What changed them looks
@@ -50,38 +57,18 @@ impl Visits {
 /// Lists the touches so that each comes after those before it that share a body which can move, and as
 /// early as it can. Neighbours in the list then have nothing to do with each other: a processor works at
 /// several at once.
-pub fn order(
-    contacts: &Contacts,
-    inverse_mass: &[f32],
-    touches: &mut Touches,
-    scratch: &mut Order,
-) {
-    let Order {
-        found,
-        free_at,
-        starts,
-    } = scratch;
-    found.clear();
-    free_at.clear();
-    free_at.resize(inverse_mass.len(), 0);
-    starts.clear();
-    starts.push(0);
-    let rows = contacts.rows();
+pub fn order(contacts: &Contacts, inverse_mass: &[f32], touches: &mut Touches, order: &mut Order) {
+    order.begin(inverse_mass.len());
     let mut first = 0;
-    while first < rows {
-        let (a, b) = (contacts.a[first], contacts.b[first]);
-        let same = |c: usize| contacts.a[c] == a && contacts.b[c] == b;
-        let end = (first + 1..rows).find(|&c| !same(c)).unwrap_or(rows);
-        let free = |row: u32| match inverse_mass[row as usize] {
-            0.0 => 0,
-            _ => free_at[row as usize],
-        };
-        let level = free(a).max(free(b));
-        free_at[a as usize] = level + 1;
-        free_at[b as usize] = level + 1;
-        starts.resize(starts.len().max(level as usize + 2), 0);
-        starts[level as usize + 1] += 1;
-        found.push(Touch {
+    while first < contacts.rows() {
+        let (a, b, end) = run_from(contacts, first);
+        let can_move = |&row: &u32| inverse_mass[row as usize] != 0.0;
+        let movers = [a, b].into_iter().filter(can_move);
+        let free_at = movers.map(|row| order.free_at[row as usize]);
+        let level = free_at.max().unwrap_or(0);
+        order.free_at[a as usize] = level + 1;
+        order.free_at[b as usize] = level + 1;
+        order.add(Touch {
             first: first as u32,
             end: end as u32,
             a,
@@ -91,28 +78,74 @@ pub fn order(
         });
         first = end;
     }
-    sort_by_level(found, starts, touches);
+    order.sort_by_level(touches);
 }
 // ANCHOR_END: order
+
+/// Lists the touches in the order of rows, all on one level: chapter 3's order.
+pub fn list(contacts: &Contacts, touches: &mut Touches, order: &mut Order) {
+    order.begin(0);
+    let mut first = 0;
+    while first < contacts.rows() {
+        let (a, b, end) = run_from(contacts, first);
+        order.add(Touch {
+            first: first as u32,
+            end: end as u32,
+            a,
+            b,
+            ..Touch::default()
+        });
+        first = end;
+    }
+    order.sort_by_level(touches);
+}
+
+/// The bodies of a contact, and where the run of contacts between the same two ends.
+fn run_from(contacts: &Contacts, first: usize) -> (u32, u32, usize) {
+    let (a, b) = (contacts.a[first], contacts.b[first]);
+    let rows = contacts.rows();
+    let other = |&c: &usize| contacts.a[c] != a || contacts.b[c] != b;
+    (a, b, (first + 1..rows).find(other).unwrap_or(rows))
+}
 
 /// Memory of [`order`].
 #[derive(Clone, Debug, Default)]
 pub struct Order {
     found: Vec<Touch>,
+    /// The first level at which a body is free again.
     free_at: Vec<u32>,
+    /// How many touches each level has, one place further; then where it starts.
     starts: Vec<u32>,
 }
 
-/// A counting sort: `starts[level + 1]` holds how many touches a level has.
-fn sort_by_level(found: &[Touch], starts: &mut [u32], touches: &mut Touches) {
-    for level in 1..starts.len() {
-        starts[level] += starts[level - 1];
+impl Order {
+    fn begin(&mut self, bodies: usize) {
+        self.found.clear();
+        self.free_at.clear();
+        self.free_at.resize(bodies, 0);
+        self.starts.clear();
+        self.starts.push(0);
     }
-    touches.clear();
-    touches.resize(found.len());
-    for touch in found {
-        let place = &mut starts[touch.level as usize];
-        touches.set(*place as usize, *touch);
-        *place += 1;
+
+    fn add(&mut self, touch: Touch) {
+        let place = touch.level as usize + 1;
+        if self.starts.len() <= place {
+            self.starts.resize(place + 1, 0);
+        }
+        self.starts[place] += 1;
+        self.found.push(touch);
+    }
+
+    /// A counting sort.
+    fn sort_by_level(&mut self, touches: &mut Touches) {
+        for level in 1..self.starts.len() {
+            self.starts[level] += self.starts[level - 1];
+        }
+        touches.resize(self.found.len());
+        for touch in &self.found {
+            let place = &mut self.starts[touch.level as usize];
+            touches.set(*place as usize, *touch);
+            *place += 1;
+        }
     }
 }

@@ -215,7 +215,7 @@ impl World {
 
     // ANCHOR: push_apart
     pub(crate) fn push_apart(&mut self) {
-        let rules = self.surroundings.rules;
+        let (rules, every) = (self.surroundings.rules, self.plan.has(Part::IdleVisits));
         let data = &mut self.data;
         let (bodies, involved) = (&data.bodies, &self.involved);
         let (contacts, touches) = (&mut data.contacts, &mut data.touches);
@@ -233,10 +233,19 @@ impl World {
                 &mut jointed,
                 involved,
                 rules,
+                every,
             );
         } else {
             with_movers!(self.plan, bodies, &mut data.motions, |movers| {
-                resolving::push_apart(contacts, touches, movers, &mut NoJoints, involved, rules);
+                resolving::push_apart(
+                    contacts,
+                    touches,
+                    movers,
+                    &mut NoJoints,
+                    involved,
+                    rules,
+                    every,
+                );
             });
         }
     }
@@ -250,18 +259,19 @@ impl World {
     }
 
     pub(crate) fn bounce(&mut self) {
-        let rules = self.surroundings.rules;
+        let (rules, every) = (self.surroundings.rules, self.plan.has(Part::IdleVisits));
         let data = &mut self.data;
         with_movers!(self.plan, &data.bodies, &mut data.motions, |movers| {
             let (contacts, touches) = (&mut data.contacts, &mut data.touches);
             self.counts.impacts_left +=
-                resolving::bounce(contacts, touches, movers, &self.involved, rules);
+                resolving::bounce(contacts, touches, movers, &self.involved, rules, every);
         });
     }
 
     // ANCHOR: rest
     pub(crate) fn rest(&mut self) {
         let (rules, gravity) = (self.surroundings.rules, self.gravity());
+        let every = self.plan.has(Part::IdleVisits);
         let dt_last = self.steps.dt_last;
         let data = &mut self.data;
         let (bodies, motions) = (&mut data.bodies, &mut data.motions);
@@ -282,10 +292,19 @@ impl World {
                 &mut jointed,
                 involved,
                 rules,
+                every,
             );
         } else {
             with_movers!(self.plan, bodies, motions, |movers| {
-                resolving::rest(contacts, touches, movers, &mut NoJoints, involved, rules);
+                resolving::rest(
+                    contacts,
+                    touches,
+                    movers,
+                    &mut NoJoints,
+                    involved,
+                    rules,
+                    every,
+                );
             });
         }
     }
