@@ -2,6 +2,8 @@
 //! that one hands over to another in mid-run goes on as if nothing had happened.
 
 use ch00_scenes::{Engine, EngineEntry, Scene, Settings, State};
+use ch05_properties::PropertiesEngine;
+use ch05_properties::plan::Plan;
 
 fn load(entry: EngineEntry, scene: &Scene, method: &str) -> Box<dyn Engine> {
     (entry.load)(scene, &Settings::defaults().with_method(method)).expect("the scene is supported")
@@ -19,13 +21,33 @@ fn state_after(engine: &mut dyn Engine, scene: &Scene, steps: u32) -> State {
 #[track_caller]
 fn same_bits(scene: &str, method: &str, one: EngineEntry, two: EngineEntry) {
     let scene = Scene::open(scene, None, None).expect("a built-in");
-    let mut engines = [load(one, &scene, method), load(two, &scene, method)];
-    for step in 1..=600 {
-        let [a, b] = engines
-            .each_mut()
-            .map(|engine| state_after(engine.as_mut(), &scene, 1));
-        assert_eq!(a.hash(), b.hash(), "{} differs in step {step}", scene.name);
+    let (mut one, mut two) = (load(one, &scene, method), load(two, &scene, method));
+    same_steps(&scene, method, 600, [one.as_mut(), two.as_mut()]);
+}
+
+/// Steps both engines and compares all bits after each step.
+#[track_caller]
+fn same_steps(scene: &Scene, method: &str, steps: u32, engines: [&mut dyn Engine; 2]) {
+    let [one, two] = engines;
+    for step in 1..=steps {
+        let (a, b) = (state_after(one, scene, 1), state_after(two, scene, 1));
+        let name = &scene.name;
+        assert_eq!(a.hash(), b.hash(), "{name}, {method}: step {step} differs");
     }
+}
+
+/// The scenes that come as files.
+fn reference_scenes() -> Vec<Scene> {
+    let files = tests::files_below(&tests::root().join("tests/reference/scenes"));
+    let scenes = files.iter().map(|file| Scene::load(file).expect("a scene"));
+    scenes.collect()
+}
+
+/// Chapter 5 with all columns and systems that the method has.
+fn with_all(scene: &Scene, method: &str) -> PropertiesEngine {
+    let settings = Settings::defaults().with_method(method);
+    PropertiesEngine::load_with(scene, &settings, |_, method| Plan::full(method))
+        .expect("the scene is supported")
 }
 
 #[test]
@@ -50,6 +72,30 @@ fn where_nothing_is_joined_chapter_4_is_chapter_3() {
 }
 
 #[test]
+fn in_columns_chapter_5_is_chapter_4() {
+    let scenes = reference_scenes();
+    assert_eq!(scenes.len(), 3);
+    for scene in &scenes {
+        for method in ["corrected", "printed"] {
+            let mut objects = load(ch04_ragdolls::ENGINE, scene, method);
+            let mut all = with_all(scene, method);
+            same_steps(scene, method, 600, [objects.as_mut(), &mut all]);
+        }
+    }
+}
+
+#[test]
+fn with_no_more_than_the_scene_needs_chapter_5_is_chapter_4() {
+    for scene in &reference_scenes() {
+        for method in ["corrected", "printed"] {
+            let mut objects = load(ch04_ragdolls::ENGINE, scene, method);
+            let mut planned = load(ch05_properties::ENGINE, scene, method);
+            same_steps(scene, method, 600, [objects.as_mut(), planned.as_mut()]);
+        }
+    }
+}
+
+#[test]
 fn an_orrery_is_the_same_in_every_chapter() {
     let scene = Scene::open("orrery", None, None).expect("a built-in");
     let run = |entry: EngineEntry| {
@@ -60,6 +106,7 @@ fn an_orrery_is_the_same_in_every_chapter() {
     assert_eq!(first, run(ch02_rigid_bodies::ENGINE));
     assert_eq!(first, run(ch03_collision::ENGINE));
     assert_eq!(first, run(ch04_ragdolls::ENGINE));
+    assert_eq!(first, run(ch05_properties::ENGINE));
 }
 
 #[test]
@@ -79,6 +126,38 @@ fn a_state_handed_over_goes_on_along_the_same_path() {
             apart < 2e-3 && turned < 1e-2,
             "body {i}: {apart} m, {turned} rad"
         );
+    }
+}
+
+/// Puts both engines where `state` says, and compares the path from there on.
+#[track_caller]
+fn same_path_from(
+    state: &State,
+    scene: &Scene,
+    method: &str,
+    [one, two]: [&mut dyn Engine; 2],
+) -> State {
+    one.write_state(state, scene.dt as f32);
+    two.write_state(state, scene.dt as f32);
+    same_steps(scene, method, 100, [&mut *one, &mut *two]);
+    state_after(two, scene, 0)
+}
+
+#[test]
+fn objects_that_become_columns_and_objects_again_keep_their_path() {
+    let built_in = ["smooth_balls", "mixed", "door", "chain", "magnets", "tops"]
+        .map(|name| Scene::open(name, None, None).expect("a built-in"));
+    for scene in reference_scenes().iter().chain(&built_in) {
+        for method in ["corrected", "printed"] {
+            let mut stays = load(ch04_ragdolls::ENGINE, scene, method);
+            let mut columns = load(ch05_properties::ENGINE, scene, method);
+            let mut again = load(ch04_ragdolls::ENGINE, scene, method);
+            let state = state_after(stays.as_mut(), scene, 100);
+            let engines: [&mut dyn Engine; 2] = [stays.as_mut(), columns.as_mut()];
+            let state = same_path_from(&state, scene, method, engines);
+            let engines: [&mut dyn Engine; 2] = [stays.as_mut(), again.as_mut()];
+            same_path_from(&state, scene, method, engines);
+        }
     }
 }
 

@@ -22,7 +22,9 @@ pub fn needs(scene: &Scene, method: Method, part: Part) -> bool {
         }
         Part::Collisions => two_could_touch(scene),
         Part::Resolution => !scene.joints.is_empty() || (corrected && two_could_touch(scene)),
-        Part::Bouncing => two_could_touch(scene) && scene.bodies.iter().any(bounces),
+        Part::Bouncing => {
+            two_could_touch(scene) && (!corrected || scene.bodies.iter().any(bounces))
+        }
         Part::Friction => corrected && two_could_touch(scene) && two_rub(scene),
         Part::Joints => !scene.joints.is_empty(),
         Part::Rods => scene.joints.iter().any(is_rod),
