@@ -102,7 +102,8 @@ impl Legend {
                     marks::mark(canvas, style, (0.5 * (left + right), y))?;
                 }
                 Sample::Part(number) => {
-                    marks::part(canvas, number, [left, right], y, FILL)?;
+                    let ink = marks::ink_of_part(number);
+                    marks::part(canvas, ink, [left, right], y, FILL)?;
                 }
             }
             let name_at = right + GAP;

@@ -68,9 +68,14 @@ pub fn line(canvas: &mut Canvas, style: Style, points: &[Point]) -> Drawn {
     }
 }
 
+/// The colour of a bar's part.
+pub fn ink_of_part(number: usize) -> Ink {
+    ink(PARTS[number % PARTS.len()])
+}
+
 /// Draws a part of a bar about the height `y`, and a line of nothing at its right end, which tells it
 /// from the next one whatever the colours.
-pub fn part(canvas: &mut Canvas, number: usize, ends: [f64; 2], y: f64, height: f64) -> Drawn {
+pub fn part(canvas: &mut Canvas, ink: Ink, ends: [f64; 2], y: f64, height: f64) -> Drawn {
     let [left, right] = ends;
     let (right, half) = (right - BETWEEN_PARTS, 0.5 * height);
     if right <= left {
@@ -82,7 +87,7 @@ pub fn part(canvas: &mut Canvas, number: usize, ends: [f64; 2], y: f64, height: 
         (right, y + half),
         (left, y + half),
     ];
-    canvas.polygon(&corners, ink(PARTS[number % PARTS.len()]))
+    canvas.polygon(&corners, ink)
 }
 
 /// Draws an error bar between two points, one above the other, with a short line across each end.
