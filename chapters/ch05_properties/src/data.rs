@@ -32,7 +32,7 @@ pub struct Data {
     pub motions: Motions,
     /// Where bodies touch.
     pub contacts: Contacts,
-    /// The contacts again, by pairs of bodies, in the order of visits.
+    /// The contacts again, by pairs of bodies.
     pub touches: Touches,
     /// What joins bodies, in the order in which a step visits it.
     pub joints: Joints,

@@ -58,14 +58,12 @@ pub enum Part {
     Obstacles,
     /// Sweeps visit bodies that haven't changed since a visit that found nothing.
     IdleVisits,
-    /// Sweeps visit touches in the order of rows.
-    RowOrder,
 }
 // ANCHOR_END: part
 
 impl Part {
     /// All of them.
-    pub const ALL: [Part; 19] = [
+    pub const ALL: [Part; 18] = [
         Part::Corrected,
         Part::Printed,
         Part::Turning,
@@ -84,7 +82,6 @@ impl Part {
         Part::FixedPoints,
         Part::Obstacles,
         Part::IdleVisits,
-        Part::RowOrder,
     ];
 
     /// What it is called where it is left out.
@@ -109,7 +106,6 @@ impl Part {
             Part::FixedPoints => "fixed points",
             Part::Obstacles => "boxes of obstacles in every step",
             Part::IdleVisits => "visits that find nothing",
-            Part::RowOrder => "touches in the order of rows",
         }
     }
 
@@ -135,7 +131,6 @@ impl Part {
             Part::FixedPoints => "nothing hangs on a fixed point",
             Part::Obstacles => "what can't move keeps its box",
             Part::IdleVisits => "where nothing has changed since, they would find nothing again",
-            Part::RowOrder => "those that share no body that can move may change places",
         }
     }
 }

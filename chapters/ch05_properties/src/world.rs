@@ -19,7 +19,6 @@ use crate::plan::{Part, Plan};
 use crate::systems::advance::Step;
 use crate::systems::broad_phase::BroadPhase;
 use crate::systems::narrow_phase::Carried;
-use crate::systems::visits::Order;
 
 /// Which formulas a world is stepped with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,8 +51,6 @@ pub struct World {
     pub surroundings: Surroundings,
     /// The broad phase's memory.
     pub broad: BroadPhase,
-    /// Memory of the touches' ordering.
-    pub order: Order,
     /// What the last step's contacts carried.
     pub carried: Carried,
     /// Rows of the bodies that the last resolution touched, in order.

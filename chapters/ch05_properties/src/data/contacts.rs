@@ -54,7 +54,7 @@ crate::table! {
 }
 
 crate::table! {
-    /// Runs of contacts between the same two bodies, in the order in which sweeps visit them.
+    /// Runs of contacts between the same two bodies, as sweeps visit them.
     pub struct Touches of
     /// A touch.
     Touch in "touches" {
@@ -66,8 +66,6 @@ crate::table! {
         a: u32, "1", "";
         /// Row of body 2.
         b: u32, "2", "";
-        /// How many touches before it must have been visited, one after the other.
-        level: u32, "level", "";
         /// The visit that last looked at it.
         seen: u32, "seen", "";
     }

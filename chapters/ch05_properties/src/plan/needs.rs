@@ -31,7 +31,7 @@ pub fn needs(scene: &Scene, method: Method, part: Part) -> bool {
         Part::Limits => scene.joints.iter().any(limits_angles),
         Part::Forces => !scene.forces.is_empty(),
         Part::FixedPoints => scene.forces.iter().any(|force| held(force).is_some()),
-        Part::Round | Part::Mouse | Part::Obstacles | Part::IdleVisits | Part::RowOrder => false,
+        Part::Round | Part::Mouse | Part::Obstacles | Part::IdleVisits => false,
     }
 }
 // ANCHOR_END: needs

@@ -8,6 +8,8 @@ mod rod;
 
 pub use poses::Poses;
 
+use std::ops::Range;
+
 use ch03_collision::Span;
 use ch04_ragdolls::{Anchors, Arms};
 use glam::{Quat, Vec3};
@@ -133,25 +135,38 @@ impl Assembly<'_> {
     // ANCHOR: correct
     /// Puts all bodies back where their joints want them: each tree by itself, then, if joints close
     /// loops, all together. The report's constraint update.
-    pub fn correct(&mut self, trees: &Trees, poses: &mut Poses<'_>, sweeps: u32) {
+    pub fn correct(&mut self, trees: &Trees, poses: &mut Poses<'_>, sweeps: u32, every: bool) {
+        let mut visits = self.first_visits(poses, every);
         let mut in_trees = 0;
         for tree in 0..trees.rows() {
             let (first, end) = (trees.first[tree] as usize, trees.end[tree] as usize);
-            self.sweep(first, end, poses, sweeps);
+            self.sweep(first..end, poses, &mut visits, sweeps);
             in_trees = end;
         }
         let all = self.joints.rows();
         if in_trees < all {
-            self.sweep(0, all, poses, sweeps);
+            self.sweep(0..all, poses, &mut visits, sweeps);
         }
     }
 
     /// Goes through joints again and again until none was off.
-    fn sweep(&mut self, first: usize, end: usize, poses: &mut Poses<'_>, sweeps: u32) {
+    fn sweep(
+        &mut self,
+        joints: Range<usize>,
+        poses: &mut Poses<'_>,
+        visits: &mut Visits,
+        sweeps: u32,
+    ) {
         for _ in 0..sweeps {
             let mut moved = false;
-            for joint in first..end {
-                moved |= self.correct_one(joint, poses);
+            for joint in joints.clone() {
+                let (kind, at) = self.ends(joint);
+                if visits.is_due(self.joints.seen[joint], at.parent, at.child, poses) {
+                    let has_moved = self.correct_one(kind, at, poses);
+                    let seen = visits.note(at.parent, at.child, has_moved, poses);
+                    self.joints.seen[joint] = seen;
+                    moved |= has_moved;
+                }
             }
             if !moved {
                 break;
@@ -160,13 +175,20 @@ impl Assembly<'_> {
     }
     // ANCHOR_END: correct
 
-    fn correct_one(&mut self, joint: usize, poses: &mut Poses<'_>) -> bool {
-        match self.ends(joint) {
-            (Kind::Pin, at) => {
+    /// Before the first visit: all bodies have just moved, no joint has been looked at.
+    fn first_visits(&mut self, poses: &mut Poses<'_>, every: bool) -> Visits {
+        let joints = &mut *self.joints;
+        Visits::begin(every, &joints.parent, [&mut joints.seen, &mut []], poses);
+        Visits::begin(every, &joints.child, [&mut [], &mut []], poses)
+    }
+
+    fn correct_one(&mut self, kind: Kind, at: Ends, poses: &mut Poses<'_>) -> bool {
+        match kind {
+            Kind::Pin => {
                 let moved = pin::correct(self, at, poses);
                 moved | angle::correct(self, at, poses)
             }
-            (Kind::Rod, at) => rod::correct(self, at, poses),
+            Kind::Rod => rod::correct(self, at, poses),
         }
     }
 
@@ -268,6 +290,15 @@ pub struct Jointed<'a> {
 }
 
 impl Jointed<'_> {
+    /// Where their nudges have brought a joint's two bodies.
+    #[inline]
+    fn nudged_poses(&self, movers: &Turning<'_>, at: Ends) -> [(Vec3, Quat); 2] {
+        [
+            self.nudged_pose(movers, at.parent),
+            self.nudged_pose(movers, at.child),
+        ]
+    }
+
     /// Where its nudges have brought a body.
     #[inline]
     fn nudged_pose(&self, movers: &Turning<'_>, row: usize) -> (Vec3, Quat) {
@@ -291,7 +322,16 @@ impl Held<Turning<'_>> for Jointed<'_> {
             let seen = self.assembly.joints.seen[joint];
             if visits.is_due(seen, at.parent, at.child, movers) {
                 let parted = match kind {
-                    Kind::Pin => pin::part(self, at, movers) + angle::part(self, at, movers),
+                    Kind::Pin => {
+                        let poses = self.nudged_poses(movers, at);
+                        let pin = pin::part(&self.assembly, at, poses, movers);
+                        let turned = if pin.nudged {
+                            self.nudged_poses(movers, at)
+                        } else {
+                            poses
+                        };
+                        pin + angle::part(&mut self.assembly, at, turned, movers)
+                    }
                     Kind::Rod => rod::part(self, at, movers),
                 };
                 let nudged = parted.nudged;

@@ -10,9 +10,11 @@
 use ch00_maths::f32::impulse::{self, Inertia, Mass, Velocity};
 use glam::{Mat3, Vec3};
 
+use super::visits::Changes;
+
 // ANCHOR: movers
 /// Bodies by row, as the resolution of contacts needs them.
-pub trait Movers {
+pub trait Movers: Changes {
     /// Two bodies, taken out of their columns for as long as a touch looks at them.
     type Pair: Pair;
 
@@ -28,12 +30,6 @@ pub trait Movers {
     /// A positional impulse on body a at r₁, and its opposite on body b at r₂, kg m: moves and turns
     /// them, but leaves velocities.
     fn nudge_apart(&mut self, a: usize, r1: Vec3, b: usize, r2: Vec3, impulse: Vec3);
-
-    /// The visit that last changed a body.
-    fn changed(&self, row: usize) -> u32;
-
-    /// Notes that a visit changed a body. What can't move never changes.
-    fn set_changed(&mut self, row: usize, visit: u32);
 
     /// 1/m, 1/kg.
     fn inverse_mass(&self, row: usize) -> f32;
@@ -120,6 +116,20 @@ impl Pair for GlidingPair {
     }
 }
 
+impl Changes for Gliding<'_> {
+    #[inline]
+    fn changed(&self, row: usize) -> u32 {
+        self.changed[row]
+    }
+
+    #[inline]
+    fn set_changed(&mut self, row: usize, visit: u32) {
+        if self.inverse_mass[row] != 0.0 {
+            self.changed[row] = visit;
+        }
+    }
+}
+
 impl Movers for Gliding<'_> {
     type Pair = GlidingPair;
 
@@ -146,18 +156,6 @@ impl Movers for Gliding<'_> {
     fn nudge_apart(&mut self, a: usize, _r1: Vec3, b: usize, _r2: Vec3, impulse: Vec3) {
         self.shift[a] += impulse * self.inverse_mass[a];
         self.shift[b] += -impulse * self.inverse_mass[b];
-    }
-
-    #[inline]
-    fn changed(&self, row: usize) -> u32 {
-        self.changed[row]
-    }
-
-    #[inline]
-    fn set_changed(&mut self, row: usize, visit: u32) {
-        if self.inverse_mass[row] != 0.0 {
-            self.changed[row] = visit;
-        }
     }
 
     #[inline]
@@ -234,6 +232,20 @@ impl<I: Inertia> Pair for TurningPair<I> {
     }
 }
 
+impl<I: Inertia> Changes for Turning<'_, I> {
+    #[inline]
+    fn changed(&self, row: usize) -> u32 {
+        self.changed[row]
+    }
+
+    #[inline]
+    fn set_changed(&mut self, row: usize, visit: u32) {
+        if self.inverse_mass[row] != 0.0 {
+            self.changed[row] = visit;
+        }
+    }
+}
+
 impl<I: Inertia> Movers for Turning<'_, I> {
     type Pair = TurningPair<I>;
 
@@ -264,18 +276,6 @@ impl<I: Inertia> Movers for Turning<'_, I> {
     fn nudge_apart(&mut self, a: usize, r1: Vec3, b: usize, r2: Vec3, impulse: Vec3) {
         self.nudge(a, r1, impulse);
         self.nudge(b, r2, -impulse);
-    }
-
-    #[inline]
-    fn changed(&self, row: usize) -> u32 {
-        self.changed[row]
-    }
-
-    #[inline]
-    fn set_changed(&mut self, row: usize, visit: u32) {
-        if self.inverse_mass[row] != 0.0 {
-            self.changed[row] = visit;
-        }
     }
 
     #[inline]

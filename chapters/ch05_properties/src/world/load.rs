@@ -16,7 +16,6 @@ use crate::data::{
 use crate::plan::Plan;
 use crate::systems::broad_phase::BroadPhase;
 use crate::systems::narrow_phase::Carried;
-use crate::systems::visits::Order;
 
 impl World {
     // ANCHOR: load
@@ -72,7 +71,6 @@ impl World {
                 ignored,
                 ..BroadPhase::default()
             },
-            order: Order::default(),
             carried: Carried::default(),
             involved: Vec::new(),
             steps: Steps {

@@ -106,6 +106,7 @@ impl World {
     pub(crate) fn correct_joints(&mut self) {
         let sweeps = self.surroundings.rules.sweeps;
         let as_printed = self.plan.has(Part::Printed);
+        let every = self.plan.has(Part::IdleVisits);
         let data = &mut self.data;
         let bodies = &mut data.bodies;
         let mut poses = Poses {
@@ -114,11 +115,12 @@ impl World {
             inverse_mass: &bodies.inverse_mass,
             inverse_moments: &bodies.inverse_inertia,
             inverse_inertia: &mut data.motions.inverse_inertia,
+            changed: &mut data.motions.changed,
         };
         if as_printed {
             assembly!(data).correct_printed(&mut poses);
         } else {
-            assembly!(data).correct(&data.trees, &mut poses, sweeps);
+            assembly!(data).correct(&data.trees, &mut poses, sweeps, every);
         }
     }
 
@@ -146,15 +148,8 @@ impl World {
     }
     // ANCHOR_END: phases
 
-    pub(crate) fn order_touches(&mut self) {
-        let data = &mut self.data;
-        let inverse_mass = &data.bodies.inverse_mass;
-        visits::order(
-            &data.contacts,
-            inverse_mass,
-            &mut data.touches,
-            &mut self.order,
-        );
+    pub(crate) fn list_touches(&mut self) {
+        visits::list(&self.data.contacts, &mut self.data.touches);
     }
 
     pub(crate) fn resolve_printed(&mut self) {

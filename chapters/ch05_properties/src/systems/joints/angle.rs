@@ -8,7 +8,7 @@ use ch03_collision::Span;
 use ch04_ragdolls::{Bound, LARGEST_TURN, MOST_ROWS, Row, SMALL_ANGLE};
 use glam::{Quat, Vec3};
 
-use super::{Assembly, Ends, Jointed, Parted, Poses, pin};
+use super::{Assembly, Ends, Parted, Poses, pin};
 use crate::data::{Bodies, Limits, bound_code, bound_of, limits_of};
 use crate::systems::movers::Turning;
 
@@ -116,15 +116,18 @@ pub(super) fn prepare(
 // ANCHOR: part
 /// Nudges the two back to their limits, or takes back what others have made superfluous. Gives how far,
 /// as the way of a limb of a decimetre, m.
-pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>) -> Parted {
+pub(super) fn part(
+    tables: &mut Assembly<'_>,
+    at: Ends,
+    [(_, q1), (_, q2)]: [(Vec3, Quat); 2],
+    movers: &mut Turning<'_>,
+) -> Parted {
     let Some(limit) = at.limit else {
         return Parted {
             off: 0.0,
             nudged: false,
         };
     };
-    let [q1, q2] = [at.parent, at.child].map(|row| jointed.nudged_pose(movers, row).1);
-    let tables = &mut jointed.assembly;
     let mut furthest = 0.0_f32;
     for (turn, row) in turns_of(limit).zip(rows(tables.limits, limit, q1, q2)) {
         if row.bound == Bound::Free || row.bound != bound_of(tables.turns.bound[turn]) {

@@ -5,9 +5,9 @@ use ch00_maths::f32::joint::{self, pin_matrix};
 use ch00_maths::f32::pin;
 use ch03_collision::Span;
 use ch04_ragdolls::{Arms, LONGEST_GAP, SMALL_GAP, WIDE};
-use glam::Vec3;
+use glam::{Quat, Vec3};
 
-use super::{Assembly, Ends, Jointed, Parted, Poses};
+use super::{Assembly, Ends, Parted, Poses};
 use crate::systems::movers::Turning;
 
 // ANCHOR: correct
@@ -72,11 +72,15 @@ pub(super) fn prepare(
     tables.pins.parted[at.part] = joint::parted(moved[0], t1, moved[1], t2, span.dt);
 }
 
-/// Nudges the two points together, from where their nudges have brought them; gives how far they were
+/// Nudges the two points together, from where nudges have brought their bodies; gives how far they were
 /// apart, m.
-pub(super) fn part(jointed: &mut Jointed<'_>, at: Ends, movers: &mut Turning<'_>) -> Parted {
-    let poses = [at.parent, at.child].map(|row| jointed.nudged_pose(movers, row));
-    let Arms { t1, t2, d } = jointed.assembly.arms_at(at.joint, poses[0], poses[1]);
+pub(super) fn part(
+    tables: &Assembly<'_>,
+    at: Ends,
+    [parent, child]: [(Vec3, Quat); 2],
+    movers: &mut Turning<'_>,
+) -> Parted {
+    let Arms { t1, t2, d } = tables.arms_at(at.joint, parent, child);
     let gap = d.length();
     if gap >= SMALL_GAP {
         let k = pin_matrix(&movers.mass(at.parent), t1, &movers.mass(at.child), t2);

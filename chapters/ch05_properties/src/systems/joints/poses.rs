@@ -4,6 +4,8 @@ use ch00_maths::f32::impulse::Mass;
 use ch00_maths::f32::rotation;
 use glam::{Mat3, Quat, Vec3};
 
+use crate::systems::visits::Changes;
+
 /// The columns that joints correct.
 pub struct Poses<'a> {
     /// p, m.
@@ -16,6 +18,22 @@ pub struct Poses<'a> {
     pub inverse_moments: &'a [Vec3],
     /// I⁻¹ in world axes, as they were when the last step was resolved, 1/(kg m²).
     pub inverse_inertia: &'a mut [Mat3],
+    /// The visit that last moved each.
+    pub changed: &'a mut [u32],
+}
+
+impl Changes for Poses<'_> {
+    #[inline]
+    fn changed(&self, row: usize) -> u32 {
+        self.changed[row]
+    }
+
+    #[inline]
+    fn set_changed(&mut self, row: usize, visit: u32) {
+        if self.inverse_mass[row] != 0.0 {
+            self.changed[row] = visit;
+        }
+    }
 }
 
 impl Poses<'_> {
