@@ -1,6 +1,8 @@
 //! The same scene, the same bits, two layouts: time of a step and of each of its passes.
 //!
-//! `cargo run --release -p ch05_properties --no-default-features --example against_objects [SCENE COUNT [STEPS [ENGINE]]]`
+//! `cargo run --release -p ch05_properties --no-default-features --example against_objects [SCENE COUNT [STEPS [TURN]]]`
+//!
+//! The engines take turns of TURN steps, 50 unless given, so that a noisy neighbour disturbs all alike.
 
 use std::time::{Duration, Instant};
 
@@ -13,11 +15,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let name = args.next().unwrap_or_else(|| "balls".to_owned());
     let count = args.next().map(|count| count.parse()).transpose()?;
     let steps: u32 = args.next().map_or(Ok(300), |steps| steps.parse())?;
-    let only = args.next();
+    let turn: u32 = args.next().map_or(Ok(50), |turn| turn.parse())?;
     let scene = Scene::open(&name, count, None)?;
     let settings = Settings::defaults();
     let full = |_: &Scene, method| Plan::full(method);
-    let mut engines: Vec<(&str, Box<dyn Engine>)> = vec![
+    let mut engines: [(&str, Box<dyn Engine>); 3] = [
         ("objects", (ch04_ragdolls::ENGINE.load)(&scene, &settings)?),
         (
             "all columns",
@@ -28,15 +30,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             Box::new(PropertiesEngine::load(&scene, &settings)?),
         ),
     ];
-    engines.retain(|(name, _)| only.as_ref().is_none_or(|only| only == name));
     let mut times = vec![Vec::new(); engines.len()];
     let mut passes: Vec<Vec<Vec<PassTime>>> = vec![Vec::new(); engines.len()];
-    for _ in 0..steps {
+    for _ in 0..steps.div_ceil(turn.max(1)) {
         for (k, (_, engine)) in engines.iter_mut().enumerate() {
-            let start = Instant::now();
-            engine.step(scene.dt as f32);
-            times[k].push(start.elapsed());
-            passes[k].push(engine.pass_times());
+            for _ in 0..turn.max(1) {
+                let start = Instant::now();
+                engine.step(scene.dt as f32);
+                times[k].push(start.elapsed());
+                passes[k].push(engine.pass_times());
+            }
         }
     }
     for (k, (name, engine)) in engines.iter().enumerate() {

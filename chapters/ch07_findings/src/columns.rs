@@ -43,7 +43,7 @@ fn part_of(pass: &str) -> usize {
         "constraint update" | "correct joints" => 1,
         "objects gather" | "gather forces" => 2,
         "broad phase" => 3,
-        "narrow phase" | "order touches" => 4,
+        "narrow phase" | "list touches" => 4,
         "scene graph" => 6,
         _ => 5,
     }
