@@ -6,8 +6,8 @@ use glam::{Quat, Vec3};
 
 use super::broad_phase::ahead_of;
 use super::or_zero;
-use crate::columns::{AnyTable, Column, Table};
-use crate::data::{Bodies, Contact, Contacts, shape_of};
+use crate::columns::{AnyTable, Column};
+use crate::data::{Bodies, Contacts, shape_of};
 
 /// What the contacts of the last step carried, in order of body 1, body 2 and feature.
 #[derive(Clone, Debug, Default)]
@@ -20,8 +20,8 @@ pub struct Carried {
 }
 
 // ANCHOR: find
-/// Fills the table with the contacts of these pairs. Gives how many touches the iterations did not get to
-/// the end of.
+/// Fills the table with the contacts of these pairs; what a step notes of them comes later. Gives how many
+/// touches the iterations did not get to the end of.
 pub fn find(
     bodies: &Bodies,
     pairs: &[(usize, usize)],
@@ -43,17 +43,18 @@ pub fn find(
         spots.sort_unstable_by_key(|&spot| touch.spots()[spot].feature);
         for &spot in &*spots {
             let spot = touch.spots()[spot];
-            contacts.push(Contact {
-                a: a as u32,
-                b: b as u32,
-                feature: spot.feature,
-                normal: touch.normal,
-                depth: spot.depth,
-                point: spot.point,
-                ..Contact::default()
-            });
+            contacts.a.push(a as u32);
+            contacts.b.push(b as u32);
+            contacts.feature.push(spot.feature);
+            contacts.normal.push(touch.normal);
+            contacts.depth.push(spot.depth);
+            contacts.point.push(spot.point);
         }
     }
+    let rows = contacts.a.len();
+    contacts.support.fill_rows(rows, 0.0);
+    contacts.rub.fill_rows(rows, Vec3::ZERO);
+    contacts.ids_mut().set_rows(rows);
     unsure
 }
 // ANCHOR_END: find
