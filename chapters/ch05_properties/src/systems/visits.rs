@@ -13,7 +13,6 @@ pub trait Changes {
     fn set_changed(&mut self, row: usize, visit: u32);
 }
 
-// ANCHOR: visits
 /// Numbers the visits of a system's sweeps.
 pub struct Visits {
     now: u32,
@@ -38,6 +37,7 @@ impl Visits {
         Self { now: 1, every }
     }
 
+    // ANCHOR: visits
     /// Whether one of the two bodies has changed since the visit `seen`.
     #[inline]
     pub fn is_due(&self, seen: u32, a: usize, b: usize, movers: &impl Changes) -> bool {
@@ -62,8 +62,8 @@ impl Visits {
         }
         seen
     }
+    // ANCHOR_END: visits
 }
-// ANCHOR_END: visits
 
 // ANCHOR: list
 /// Lists the touches, in the order of their contacts.
