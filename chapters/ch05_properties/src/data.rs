@@ -13,8 +13,8 @@ pub use bodies::{BALL, Bodies, Body, shape_columns, shape_of};
 pub use contacts::{Contact, Contacts, Touch, Touches};
 pub use forces::{FixedPoint, FixedPoints, Pole, Poles, Spring, Springs};
 pub use joints::{
-    Joint, JointKind, Joints, Limit, Limits, NONE, Pin, Pins, Rod, Rods, Tree, Trees, Turn, Turns,
-    bound_code, bound_of, limit_columns, limits_of,
+    Joint, Joints, Limit, Limits, NONE, Pin, Pins, Rod, Rods, Tree, Trees, Turn, Turns, bound_code,
+    bound_of, limit_columns, limits_of,
 };
 pub use motions::{Motion, Motions};
 

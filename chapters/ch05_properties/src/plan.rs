@@ -175,31 +175,19 @@ impl Plan {
     /// The same with one part more, and with those that it can't do without.
     #[must_use]
     pub fn with(mut self, part: Part) -> Self {
-        let also: &[Part] = match part {
+        let needs: &[Part] = match part {
             Part::Turning => &[Part::Orientations],
-            Part::Axes | Part::Friction | Part::Forces => &[Part::Turning, Part::Orientations],
-            Part::Joints => &[
-                Part::Axes,
-                Part::Turning,
-                Part::Orientations,
-                Part::Resolution,
-            ],
-            Part::Rods | Part::Limits => &[
-                Part::Joints,
-                Part::Axes,
-                Part::Turning,
-                Part::Orientations,
-                Part::Resolution,
-            ],
-            Part::Mouse => &[Part::Forces, Part::Turning, Part::Orientations],
-            Part::FixedPoints => &[Part::Forces, Part::Axes, Part::Turning, Part::Orientations],
+            Part::Axes | Part::Friction | Part::Forces => &[Part::Turning],
+            Part::Joints => &[Part::Axes, Part::Resolution],
+            Part::Rods | Part::Limits => &[Part::Joints],
+            Part::Mouse => &[Part::Forces],
+            Part::FixedPoints => &[Part::Forces, Part::Axes],
             Part::Collisions => &[Part::Resolution],
             _ => &[],
         };
-        for &part in also.iter().chain(&[part]) {
-            self.has[part as usize] = true;
-        }
-        self.settled()
+        self.has[part as usize] = true;
+        let with_all = needs.iter().fold(self, |plan, &needed| plan.with(needed));
+        with_all.settled()
     }
 
     /// What either has.

@@ -33,7 +33,13 @@ pub enum Pull<'a> {
     Forces(&'a [Vec3]),
 }
 
-impl Pull<'_> {
+impl<'a> Pull<'a> {
+    /// Gravity, if that is all there is, or the column.
+    #[must_use]
+    pub fn of(gravity: Option<Vec3>, acceleration: &'a [Vec3]) -> Self {
+        gravity.map_or(Pull::Forces(acceleration), Pull::Gravity)
+    }
+
     /// On the body in this row. What can't move isn't pulled.
     #[inline]
     #[must_use]

@@ -174,9 +174,6 @@ pub trait AnyColumn {
     /// Its memory.
     fn memory(&self) -> &[u8];
 
-    /// Bytes that it has asked for, used or not.
-    fn capacity_bytes(&self) -> usize;
-
     /// A value; None where there is none.
     fn cell(&self, row: usize) -> Option<Cell>;
 
@@ -216,10 +213,6 @@ impl<T: Value> AnyColumn for Column<T> {
 
     fn memory(&self) -> &[u8] {
         self.bytes()
-    }
-
-    fn capacity_bytes(&self) -> usize {
-        self.values.capacity() * size_of::<T>()
     }
 
     fn cell(&self, row: usize) -> Option<Cell> {

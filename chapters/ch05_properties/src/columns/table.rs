@@ -38,12 +38,6 @@ pub trait Table: AnyTable {
     /// Adds a row; gives its ID. Values of columns that the plan left out are dropped.
     fn push(&mut self, row: Self::Row) -> RowId;
 
-    /// Makes it have so many rows of zeros, for a table whose rows have no lives of their own.
-    fn resize(&mut self, rows: usize);
-
-    /// Sets all values of a row that there is.
-    fn set(&mut self, row: usize, values: Self::Row);
-
     /// Gathers a row; None if it isn't there. Columns that the plan left out give their zero.
     fn row(&self, row: usize) -> Option<Self::Row>;
 }
@@ -158,17 +152,6 @@ macro_rules! table {
             fn push(&mut self, row: $Row) -> $crate::columns::RowId {
                 $(self.$column.push(row.$column);)+
                 self.ids.push()
-            }
-
-            fn resize(&mut self, rows: usize) {
-                $(self.$column.fill_rows(rows, Default::default());)+
-                self.ids.set_rows(rows);
-            }
-
-            fn set(&mut self, row: usize, values: $Row) {
-                $(if let Some(place) = self.$column.get_mut(row) {
-                    *place = values.$column;
-                })+
             }
 
             fn row(&self, row: usize) -> Option<$Row> {

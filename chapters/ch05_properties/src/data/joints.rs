@@ -7,15 +7,6 @@ use glam::{Mat3, Quat, Vec3};
 /// No such row.
 pub const NONE: u32 = u32::MAX;
 
-/// What a joint is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum JointKind {
-    /// Two points that stay together.
-    Pin,
-    /// Two points that keep their distance.
-    Rod,
-}
-
 crate::table! {
     /// What joins bodies: first the trees, parents before children, then what closes loops.
     pub struct Joints of

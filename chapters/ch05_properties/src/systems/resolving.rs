@@ -194,13 +194,13 @@ pub fn begin_resting(
         spin_kick,
         ..
     }: &mut Motions,
-    acceleration: Option<Vec3>,
+    gravity: Option<Vec3>,
     dt_last: f32,
 ) {
     let half = 0.5 * dt_last;
     for row in involved.iter().map(|&row| row as usize) {
         bodies.held_velocity[row] = velocity[row];
-        let pull = pull_of(bodies, acceleration).on(row, bodies.inverse_mass[row]);
+        let pull = Pull::of(gravity, &bodies.acceleration).on(row, bodies.inverse_mass[row]);
         velocity[row] += half * pull;
         if let Some(spin) = spin.get_mut(row) {
             bodies.held_spin[row] = *spin;
@@ -217,10 +217,13 @@ pub fn begin_resting(
     }
 }
 
-/// What pulls the bodies, if `gravity` is all there is, or the column.
-#[must_use]
-pub fn pull_of(bodies: &Bodies, gravity: Option<Vec3>) -> Pull<'_> {
-    gravity.map_or(Pull::Forces(&bodies.acceleration), Pull::Gravity)
+/// What held a body in the last step is over.
+pub fn let_go(bodies: &mut Bodies, row: usize) {
+    for column in [&mut bodies.held_velocity, &mut bodies.held_spin] {
+        if let Some(held) = column.get_mut(row) {
+            *held = Vec3::ZERO;
+        }
+    }
 }
 
 // ANCHOR: rest
@@ -305,12 +308,12 @@ pub fn displace(
         spin_kick,
         ..
     }: &mut Motions,
-    acceleration: Option<Vec3>,
+    gravity: Option<Vec3>,
     dt_last: f32,
 ) {
     let half = 0.5 * dt_last;
     for row in involved.iter().map(|&row| row as usize) {
-        let pull = pull_of(bodies, acceleration).on(row, bodies.inverse_mass[row]);
+        let pull = Pull::of(gravity, &bodies.acceleration).on(row, bodies.inverse_mass[row]);
         velocity[row] -= half * pull;
         bodies.held_velocity[row] = velocity[row] - bodies.held_velocity[row];
         bodies.position[row] += shift[row];

@@ -2,7 +2,7 @@
 //! value. Rows stay dense and in order, so that a run with removals is as reproducible as any.
 
 use ch00_scenes::{Body as SceneBody, Cell, Edit, RemoveError, RowId, Scene, TableError};
-use glam::{Quat, Vec3};
+use glam::Quat;
 use thiserror::Error;
 
 use super::World;
@@ -10,6 +10,7 @@ use super::load::{push_body, row_of, velocity_of};
 use crate::columns::{AnyTable, Table};
 use crate::data::{Bodies, NONE, Spring, place_of};
 use crate::plan::{Part, Plan};
+use crate::systems::resolving::let_go;
 
 /// Names a body for as long as it lives.
 pub type BodyId = RowId;
@@ -263,7 +264,7 @@ impl World {
         let old = column.cell(row).unwrap_or(value);
         column.set_cell(row, value);
         if let Some(velocity) = velocity {
-            self.let_go_of(row);
+            let_go(&mut self.data.bodies, row);
             self.gather();
             self.set_velocity(row, velocity);
             self.broad.obstacles_for = None;
@@ -335,16 +336,6 @@ impl World {
                 Err(bad(format!("{mu} is below 0")))
             }
             (value, _) => Ok(value),
-        }
-    }
-
-    /// Forgets what held a body in the last step.
-    fn let_go_of(&mut self, row: usize) {
-        let bodies = &mut self.data.bodies;
-        for column in [&mut bodies.held_velocity, &mut bodies.held_spin] {
-            if let Some(held) = column.get_mut(row) {
-                *held = Vec3::ZERO;
-            }
         }
     }
 }

@@ -3,7 +3,7 @@
 use ch00_maths::f32::impulse::Velocity;
 use ch00_maths::f32::inertia::about_point;
 use ch00_scenes::{Body as SceneBody, Force, Scene};
-use ch03_collision::{Margins, Rules, Span};
+use ch03_collision::{Rules, Span};
 use ch04_ragdolls::{Forest, JointSpec};
 use glam::Vec3;
 
@@ -91,12 +91,6 @@ impl World {
         for (row, body) in scene.bodies.iter().enumerate() {
             self.set_velocity(row, velocity_of(body));
         }
-    }
-
-    /// How near a pair must be to matter, for tests and layers.
-    #[must_use]
-    pub fn margins_of_step(&self) -> Margins {
-        self.margins()
     }
 }
 

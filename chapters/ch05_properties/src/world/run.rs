@@ -6,7 +6,7 @@ use ch03_collision::Span;
 use super::World;
 use crate::plan::Part;
 use crate::systems::joints::{Assembly, Jointed, NoJoints, Poses};
-use crate::systems::resolving::{gliding, pull_of, rolling, turning};
+use crate::systems::resolving::{gliding, rolling, turning};
 use crate::systems::{
     Pull, advance, broad_phase, contacts, narrow_phase, printed, resolving, visits,
 };
@@ -25,28 +25,49 @@ macro_rules! assembly {
 }
 
 // ANCHOR: with_movers
-/// Does the same with the columns that this plan's bodies move in: with turns about any axes, with
-/// turns of balls, or without turns.
+/// Does the same with the columns that this plan's bodies move in: with turns about any axes, and then
+/// with the joints, if there are any; with turns of balls; or without turns.
 macro_rules! with_movers {
-    ($plan:expr, $bodies:expr, $motions:expr, |$movers:ident| $work:expr) => {
-        if $plan.has(Part::Axes) {
-            let $movers = &mut turning($bodies, $motions);
+    ($world:expr, |$movers:ident, $joints:ident| $work:expr) => {{
+        let (bodies, motions) = (&$world.data.bodies, &mut $world.data.motions);
+        if $world.plan.has(Part::Axes) {
+            let $movers = &mut turning(bodies, motions);
+            let $joints = &mut Jointed {
+                assembly: assembly!($world.data),
+                position: &bodies.position,
+                orientation: &bodies.orientation,
+            };
             $work
-        } else if $plan.has(Part::Round) {
-            let $movers = &mut rolling($bodies, $motions);
+        } else if $world.plan.has(Part::Round) {
+            let ($movers, $joints) = (&mut rolling(bodies, motions), &mut NoJoints);
             $work
         } else {
-            let $movers = &mut gliding($bodies, $motions);
+            let ($movers, $joints) = (&mut gliding(bodies, motions), &mut NoJoints);
             $work
         }
-    };
+    }};
+    ($world:expr, |$movers:ident| $work:expr) => {{
+        let (bodies, motions) = (&$world.data.bodies, &mut $world.data.motions);
+        if $world.plan.has(Part::Axes) {
+            let $movers = &mut turning(bodies, motions);
+            $work
+        } else if $world.plan.has(Part::Round) {
+            let $movers = &mut rolling(bodies, motions);
+            $work
+        } else {
+            let $movers = &mut gliding(bodies, motions);
+            $work
+        }
+    }};
 }
 // ANCHOR_END: with_movers
 
 impl World {
     // ANCHOR: advance
     pub(crate) fn advance_positions(&mut self) {
-        self.let_go();
+        for &row in &self.involved {
+            resolving::let_go(&mut self.data.bodies, row as usize);
+        }
         let (step, gravity) = (self.step_now(), self.gravity());
         let system = if self.plan.has(Part::Printed) {
             advance::positions_printed
@@ -54,7 +75,7 @@ impl World {
             advance::positions
         };
         let bodies = &mut self.data.bodies;
-        let pull = gravity.map_or(Pull::Forces(&bodies.acceleration), Pull::Gravity);
+        let pull = Pull::of(gravity, &bodies.acceleration);
         system(
             &mut bodies.position,
             &mut bodies.last_position,
@@ -64,19 +85,6 @@ impl World {
         );
     }
     // ANCHOR_END: advance
-
-    /// What held bodies in the last step is over.
-    fn let_go(&mut self) {
-        let bodies = &mut self.data.bodies;
-        for row in self.involved.iter().map(|&row| row as usize) {
-            if let Some(held) = bodies.held_velocity.get_mut(row) {
-                *held = glam::Vec3::ZERO;
-            }
-            if let Some(held) = bodies.held_spin.get_mut(row) {
-                *held = glam::Vec3::ZERO;
-            }
-        }
-    }
 
     pub(crate) fn advance_orientations(&mut self) {
         let step = self.step_now();
@@ -193,10 +201,9 @@ impl World {
     pub(crate) fn prepare_contacts(&mut self) {
         let (rules, span) = (self.surroundings.rules, self.steps.span);
         let gravity = self.gravity();
-        let data = &mut self.data;
-        let (bodies, contacts) = (&data.bodies, &mut data.contacts);
-        let pull = pull_of(bodies, gravity);
-        with_movers!(self.plan, bodies, &mut data.motions, |movers| {
+        with_movers!(self, |movers| {
+            let (bodies, contacts) = (&self.data.bodies, &mut self.data.contacts);
+            let pull = Pull::of(gravity, &bodies.acceleration);
             contacts::prepare(contacts, bodies, movers, pull, rules, span);
         });
     }
@@ -211,53 +218,24 @@ impl World {
     // ANCHOR: push_apart
     pub(crate) fn push_apart(&mut self) {
         let (rules, every) = (self.surroundings.rules, self.plan.has(Part::IdleVisits));
-        let data = &mut self.data;
-        let (bodies, involved) = (&data.bodies, &self.involved);
-        let (contacts, touches) = (&mut data.contacts, &mut data.touches);
-        if self.plan.has(Part::Joints) {
-            let mut movers = turning(bodies, &mut data.motions);
-            let mut jointed = Jointed {
-                assembly: assembly!(data),
-                position: &bodies.position,
-                orientation: &bodies.orientation,
-            };
-            resolving::push_apart(
-                contacts,
-                touches,
-                &mut movers,
-                &mut jointed,
-                involved,
-                rules,
-                every,
-            );
-        } else {
-            with_movers!(self.plan, bodies, &mut data.motions, |movers| {
-                resolving::push_apart(
-                    contacts,
-                    touches,
-                    movers,
-                    &mut NoJoints,
-                    involved,
-                    rules,
-                    every,
-                );
-            });
-        }
+        with_movers!(self, |movers, joints| {
+            let (contacts, touches) = (&mut self.data.contacts, &mut self.data.touches);
+            let involved = &self.involved;
+            resolving::push_apart(contacts, touches, movers, joints, involved, rules, every);
+        });
     }
     // ANCHOR_END: push_apart
 
     pub(crate) fn pay_for_lifts(&mut self) {
-        let data = &mut self.data;
-        with_movers!(self.plan, &data.bodies, &mut data.motions, |movers| {
-            resolving::pay_for_lifts(&data.contacts, &data.touches, movers);
+        with_movers!(self, |movers| {
+            resolving::pay_for_lifts(&self.data.contacts, &self.data.touches, movers);
         });
     }
 
     pub(crate) fn bounce(&mut self) {
         let (rules, every) = (self.surroundings.rules, self.plan.has(Part::IdleVisits));
-        let data = &mut self.data;
-        with_movers!(self.plan, &data.bodies, &mut data.motions, |movers| {
-            let (contacts, touches) = (&mut data.contacts, &mut data.touches);
+        with_movers!(self, |movers| {
+            let (contacts, touches) = (&mut self.data.contacts, &mut self.data.touches);
             self.counts.impacts_left +=
                 resolving::bounce(contacts, touches, movers, &self.involved, rules, every);
         });
@@ -265,45 +243,30 @@ impl World {
 
     // ANCHOR: rest
     pub(crate) fn rest(&mut self) {
-        let (rules, gravity) = (self.surroundings.rules, self.gravity());
-        let every = self.plan.has(Part::IdleVisits);
-        let dt_last = self.steps.dt_last;
-        let data = &mut self.data;
-        let (bodies, motions) = (&mut data.bodies, &mut data.motions);
+        let (rules, every) = (self.surroundings.rules, self.plan.has(Part::IdleVisits));
+        let (gravity, dt_last) = (self.gravity(), self.steps.dt_last);
+        let (bodies, motions) = (&mut self.data.bodies, &mut self.data.motions);
         resolving::begin_resting(&self.involved, bodies, motions, gravity, dt_last);
-        let (contacts, touches) = (&mut data.contacts, &mut data.touches);
-        let involved = &self.involved;
-        if self.plan.has(Part::Joints) {
-            let mut movers = turning(bodies, motions);
-            let mut jointed = Jointed {
-                assembly: assembly!(data),
-                position: &bodies.position,
-                orientation: &bodies.orientation,
-            };
-            resolving::rest(
-                contacts,
-                touches,
-                &mut movers,
-                &mut jointed,
-                involved,
-                rules,
-                every,
-            );
-        } else {
-            with_movers!(self.plan, bodies, motions, |movers| {
-                resolving::rest(
-                    contacts,
-                    touches,
-                    movers,
-                    &mut NoJoints,
-                    involved,
-                    rules,
-                    every,
-                );
-            });
-        }
+        with_movers!(self, |movers, joints| {
+            let (contacts, touches) = (&mut self.data.contacts, &mut self.data.touches);
+            let involved = &self.involved;
+            resolving::rest(contacts, touches, movers, joints, involved, rules, every);
+        });
     }
     // ANCHOR_END: rest
+
+    /// Notes how far joints are from where they belong.
+    pub(crate) fn finish_joints(&mut self) {
+        let data = &mut self.data;
+        assembly!(data).finish(&data.bodies);
+    }
+
+    /// Forgets what joints carried in the last step, and notes how far they are off.
+    pub(crate) fn begin_joints_anew(&mut self) {
+        let data = &mut self.data;
+        assembly!(data).forget();
+        self.finish_joints();
+    }
 
     pub(crate) fn place_bodies(&mut self) {
         let (gravity, dt_last) = (self.gravity(), self.steps.dt_last);

@@ -7,9 +7,7 @@ use glam::Quat;
 use super::{Method, World};
 use crate::columns::AnyTable;
 use crate::plan::Part;
-use crate::systems::joints::Assembly;
-use crate::systems::resolving::pull_of;
-use crate::systems::{advance, forces, or_zero, velocities};
+use crate::systems::{Pull, advance, forces, or_zero, velocities};
 
 impl World {
     /// Where every body is, in order of row.
@@ -27,6 +25,12 @@ impl World {
         }
     }
 
+    /// The row of the fixed point that a body hangs on, if it does.
+    fn fixed_point_of(&self, row: usize) -> Option<usize> {
+        let held = &self.data.fixed_points.body;
+        held.iter().position(|&body| body as usize == row)
+    }
+
     // ANCHOR: velocity
     /// The velocities of a body: now (`corrected`) or over the last step (`printed`).
     #[must_use]
@@ -38,10 +42,10 @@ impl World {
         if self.surroundings.method == Method::Printed {
             return velocities::moved(bodies, row, dt_last);
         }
-        let pull = pull_of(bodies, self.gravity());
+        let pull = Pull::of(self.gravity(), &bodies.acceleration);
         let mut now = velocities::now(bodies, row, pull, dt_last);
         let held = &self.data.fixed_points;
-        if let Some(k) = held.body.iter().position(|&body| body as usize == row) {
+        if let Some(k) = self.fixed_point_of(row) {
             now.v = velocities::of_held(bodies.orientation[row], held.arm[k], now.omega);
         }
         velocities::with_held(bodies, row, now)
@@ -55,11 +59,12 @@ impl World {
             velocities::write_printed(&mut self.data.bodies, row, velocity, dt);
         } else {
             let bodies = &self.data.bodies;
-            let pull = pull_of(bodies, self.gravity()).on(row, bodies.inverse_mass[row]);
+            let pull =
+                Pull::of(self.gravity(), &bodies.acceleration).on(row, bodies.inverse_mass[row]);
             velocities::write(&mut self.data.bodies, row, velocity, pull, dt);
         }
         let held = &self.data.fixed_points;
-        if let Some(k) = held.body.iter().position(|&body| body as usize == row) {
+        if let Some(k) = self.fixed_point_of(row) {
             let bodies = &mut self.data.bodies;
             if bodies.inverse_mass[row] != 0.0 {
                 bodies.last_position[row] =
@@ -140,8 +145,7 @@ impl World {
             self.set_velocity(row, velocity);
         }
         if self.surroundings.method == Method::Corrected {
-            self.joints().0.forget();
-            self.finish_joints();
+            self.begin_joints_anew();
         }
         self.begin(dt);
     }
@@ -153,27 +157,6 @@ impl World {
         self.carried = crate::systems::narrow_phase::Carried::default();
         self.broad.obstacles_for = None;
         self.involved = (0..self.data.bodies.rows() as u32).collect();
-    }
-
-    /// The joints' tables, and the bodies whose poses they know.
-    pub(crate) fn joints(&mut self) -> (Assembly<'_>, &mut crate::data::Bodies) {
-        let data = &mut self.data;
-        (
-            Assembly {
-                joints: &mut data.joints,
-                pins: &mut data.pins,
-                rods: &mut data.rods,
-                limits: &data.limits,
-                turns: &mut data.turns,
-            },
-            &mut data.bodies,
-        )
-    }
-
-    /// Notes how far joints are from where they belong.
-    pub(crate) fn finish_joints(&mut self) {
-        let (mut joints, bodies) = self.joints();
-        joints.finish(bodies);
     }
 
     /// Puts the bodies on fixed points where their turns led them.
