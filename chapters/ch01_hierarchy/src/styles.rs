@@ -13,6 +13,7 @@ pub mod hierarchy;
 pub mod hybrid;
 pub mod items;
 pub mod living;
+pub mod report;
 
 use crate::Transform;
 use items::Item;

@@ -42,7 +42,7 @@ pub fn draw(rows: &[Row], file: &Path) -> Result<(), Box<dyn std::error::Error>>
         .axis_desc_style(text(15))
         .x_desc("objects")
         .y_desc("ns an object")
-        .x_label_formatter(&|count| crate::tables::thousands(*count as usize))
+        .x_label_formatter(&|count| ch01_hierarchy::styles::report::thousands(*count as usize))
         .y_label_formatter(&|time| format!("{time:.0}"))
         .draw()?;
     for (style, color) in styles(rows).into_iter().zip(COLORS) {

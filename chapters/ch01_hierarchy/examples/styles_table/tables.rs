@@ -1,5 +1,6 @@
 //! The measurements as CSV and as the book's tables.
 
+use ch01_hierarchy::styles::report::{taken_on, thousands};
 use std::fmt::Write;
 
 use ch01_hierarchy::styles::cost;
@@ -59,7 +60,7 @@ pub fn times(rows: &[Row]) -> String {
             row.gather.median / gather,
         );
     }
-    text + &footnote()
+    text + &format!("\n*{}*\n", taken_on(RUNS))
 }
 
 /// Bytes at the largest N, and the price of a property.
@@ -105,7 +106,7 @@ pub fn skipping(rows: &[skipping::Row]) -> String {
             row.recomputing.median / row.skipping.median,
         );
     }
-    text + &footnote()
+    text + &format!("\n*{}*\n", taken_on(RUNS))
 }
 
 /// The same as CSV.
@@ -126,20 +127,6 @@ pub fn skipping_csv(rows: &[skipping::Row]) -> String {
     text
 }
 
-/// What the times are, and where they were taken.
-fn footnote() -> String {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let machine = processor().unwrap_or_else(|| std::env::consts::ARCH.to_owned());
-    format!("\n*Median (fastest–slowest) of {RUNS} runs, one core of {cores}: {machine}.*\n")
-}
-
-/// The processor's name where Linux tells it.
-fn processor() -> Option<String> {
-    let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
-    let line = text.lines().find(|line| line.starts_with("model name"))?;
-    Some(line.split_once(':')?.1.trim().to_owned())
-}
-
 fn three(time: Nanoseconds) -> String {
     format!("{:.2},{:.2},{:.2}", time.median, time.fastest, time.slowest)
 }
@@ -150,17 +137,4 @@ fn with_spread(time: Nanoseconds) -> String {
         "{:.digits$} ({:.digits$}–{:.digits$})",
         time.median, time.fastest, time.slowest
     )
-}
-
-/// 1234567 as 1,234,567.
-pub fn thousands(number: usize) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }

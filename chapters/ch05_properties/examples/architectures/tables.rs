@@ -1,5 +1,6 @@
 //! The measurements as CSV and as the book's tables.
 
+use ch01_hierarchy::styles::report::{taken_on, thousands};
 use std::fmt::Write;
 
 use crate::cost::Prices;
@@ -98,7 +99,7 @@ pub fn times(rows: &[Row], count: usize) -> String {
             visited(row.visited, operation).map_or(String::new(), |bytes| bytes.to_string())
         });
     }
-    text + &footnote()
+    text + &format!("\n*{}*\n", taken_on(RUNS))
 }
 
 fn line(
@@ -180,7 +181,7 @@ pub fn marks(rows: &[moves::Row]) -> String {
             row.way
         );
     }
-    text + &footnote()
+    text + &format!("\n*{}*\n", taken_on(RUNS))
 }
 
 /// Cache misses, or why there are none.
@@ -206,20 +207,6 @@ pub fn misses(counts: &Counts) -> String {
     text
 }
 
-/// What the times are, and where they were taken.
-fn footnote() -> String {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let machine = processor().unwrap_or_else(|| std::env::consts::ARCH.to_owned());
-    format!("\n*Median (fastest–slowest) of {RUNS} runs, one core of {cores}: {machine}.*\n")
-}
-
-/// The processor's name where Linux tells it.
-fn processor() -> Option<String> {
-    let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
-    let line = text.lines().find(|line| line.starts_with("model name"))?;
-    Some(line.split_once(':')?.1.trim().to_owned())
-}
-
 fn three(time: Nanoseconds) -> String {
     format!("{:.3},{:.3},{:.3}", time.median, time.fastest, time.slowest)
 }
@@ -238,17 +225,4 @@ fn with_spread(time: Nanoseconds) -> String {
     };
     let (fastest, slowest) = (shown(time.fastest), shown(time.slowest));
     format!("{}{unit} ({fastest}–{slowest})", shown(time.median))
-}
-
-/// 1234567 as 1,234,567.
-pub fn thousands(number: usize) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }

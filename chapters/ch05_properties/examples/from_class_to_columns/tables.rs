@@ -1,5 +1,6 @@
 //! The measurements as CSV and as the book's tables.
 
+use ch01_hierarchy::styles::report::{taken_on, thousands};
 use std::fmt::Write;
 
 use crate::ball::balls;
@@ -78,7 +79,7 @@ pub fn at(rows: &[Row], count: usize) -> String {
             with_spread(row.whole)
         );
     }
-    let note = format!("N = {}. {}", thousands(count), footnote());
+    let note = format!("N = {}. {}", thousands(count), taken_on(RUNS));
     format!("{text}\n*{note}*\n")
 }
 
@@ -101,21 +102,7 @@ pub fn counts(rows: &[Row]) -> String {
         }
         text.push('\n');
     }
-    format!("{text}\n*{}*\n", footnote())
-}
-
-/// What the times are, and where they were taken.
-fn footnote() -> String {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let machine = processor().unwrap_or_else(|| std::env::consts::ARCH.to_owned());
-    format!("Median (fastest–slowest) of {RUNS} runs, one core of {cores}: {machine}.")
-}
-
-/// The processor's name where Linux tells it.
-fn processor() -> Option<String> {
-    let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
-    let line = text.lines().find(|line| line.starts_with("model name"))?;
-    Some(line.split_once(':')?.1.trim().to_owned())
+    format!("{text}\n*{}*\n", taken_on(RUNS))
 }
 
 fn three(time: Nanoseconds) -> String {
@@ -128,17 +115,4 @@ fn with_spread(time: Nanoseconds) -> String {
         "{:.digits$} ({:.digits$}–{:.digits$})",
         time.median, time.fastest, time.slowest
     )
-}
-
-/// 1234567 as 1,234,567.
-pub fn thousands(number: usize) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }
