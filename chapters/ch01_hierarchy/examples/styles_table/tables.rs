@@ -1,9 +1,9 @@
 //! The measurements as CSV and as the book's tables.
 
-use ch01_hierarchy::styles::report::{taken_on, thousands};
 use std::fmt::Write;
 
 use ch01_hierarchy::styles::cost;
+use ch01_hierarchy::styles::report::{taken_on, thousands};
 
 use crate::measure::{Nanoseconds, RUNS, Row};
 use crate::skipping;

@@ -1,7 +1,8 @@
 //! The measurements as CSV and as the book's tables.
 
-use ch01_hierarchy::styles::report::{taken_on, thousands};
 use std::fmt::Write;
+
+use ch01_hierarchy::styles::report::{taken_on, thousands};
 
 use crate::ball::balls;
 use crate::measure::{self, Nanoseconds, RUNS, Row};
