@@ -1,8 +1,8 @@
-// Bodies that are no balls: one mesh a shape, one instance a body. Needs common/rotation, ch00_frame, ch00_light.
+// Bodies that are no balls: one mesh a shape, one instance a body.
 //
 // A mesh's vertex is placed by  position * size.xyz + (0, axis * size.w, 0)  in the body's
 // coordinates: a capsule's caps scale with its radius and move by its half height, so that
-// they stay round.
+// they stay round. Needs common/rotation, ch00_frame, ch00_drawn, ch00_light.
 
 struct Vertex {
     @location(0) position: vec3f,
@@ -12,14 +12,14 @@ struct Vertex {
 }
 
 struct Instance {
-    @location(3) position: vec3f,
-    // 1 box, 2 capsule, 3 cylinder.
-    @location(4) shape: u32,
-    @location(5) orientation: vec4f,
     // Radius thrice and half height; or half extents and 0, m.
-    @location(6) size: vec4f,
-    // Linear colour; a is 1 for the body that is picked.
-    @location(7) color: vec4f,
+    @location(3) size: vec4f,
+    // Linear.
+    @location(4) color: vec3f,
+    // 1 box, 2 capsule, 3 cylinder.
+    @location(5) shape: u32,
+    // The body's row.
+    @location(6) body: u32,
 }
 
 struct Surface {
@@ -30,26 +30,24 @@ struct Surface {
     @location(2) local: vec3f,
     @location(3) @interpolate(flat) shape: u32,
     @location(4) @interpolate(flat) size: vec4f,
+    // Linear; a is 1 for the body that is picked.
     @location(5) @interpolate(flat) color: vec4f,
     @location(6) shadow: vec3f,
 }
 
-fn world_point(vertex: Vertex, instance: Instance) -> vec3f {
-    let local = vertex.position * instance.size.xyz + vec3f(0.0, vertex.axis * instance.size.w, 0.0);
-    return instance.position + quat_rotate(instance.orientation, local);
-}
-
 @vertex
 fn vs_body(vertex: Vertex, instance: Instance) -> Surface {
-    let point = world_point(vertex, instance);
+    let local = vertex.position * instance.size.xyz + vec3f(0.0, vertex.axis * instance.size.w, 0.0);
+    let orientation = drawn_orientation(instance.body);
+    let point = drawn_position(instance.body) + quat_rotate(orientation, local);
     var out: Surface;
     out.clip = frame.view_projection * vec4f(point, 1.0);
     out.point = point;
-    out.normal = quat_rotate(instance.orientation, vertex.normal);
+    out.normal = quat_rotate(orientation, vertex.normal);
     out.local = vertex.position;
     out.shape = instance.shape;
     out.size = instance.size;
-    out.color = instance.color;
+    out.color = vec4f(instance.color, glow(instance.body));
     out.shadow = shadow_place(point, out.normal);
     return out;
 }

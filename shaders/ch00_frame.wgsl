@@ -38,6 +38,13 @@ struct Frame {
     ground_color: vec4f,
     // Colour of the grid on floor and ground; its alpha is the strength.
     grid_color: vec4f,
+    // How far bodies are drawn between their places before the last step (0) and after it (1).
+    alpha: f32,
+    // Index of the body that is picked, or one that no body has.
+    picked: u32,
+    // Corners of the disc that casts a ball's shadow.
+    ball_shadow_corners: u32,
+    spare: u32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

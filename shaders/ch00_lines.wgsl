@@ -1,5 +1,5 @@
 // Lines of a given width in pixels: each instance is a line, drawn as two triangles that
-// face the viewer. Needs ch00_frame.
+// face the viewer. Needs common/rotation, ch00_frame, ch00_drawn.
 
 struct Line {
     @location(0) start: vec3f,
@@ -8,6 +8,20 @@ struct Line {
     @location(2) end: vec3f,
     // Display colour.
     @location(3) color: vec4f,
+}
+
+// A line between two bodies, or within one.
+struct Rod {
+    // In the first body's coordinates, m.
+    @location(0) start: vec3f,
+    @location(1) first: u32,
+    // In the second body's coordinates, m.
+    @location(2) end: vec3f,
+    @location(3) second: u32,
+    // Width in points of the screen.
+    @location(4) width: f32,
+    // Display colour.
+    @location(5) color: vec4f,
 }
 
 struct Stroke {
@@ -23,6 +37,22 @@ override opacity: f32 = 1.0;
 
 @vertex
 fn vs_line(@builtin(vertex_index) index: u32, line: Line) -> Stroke {
+    return corner(index, line);
+}
+
+@vertex
+fn vs_rod(@builtin(vertex_index) index: u32, rod: Rod) -> Stroke {
+    let start = held(rod.start, rod.first);
+    let end = held(rod.end, rod.second);
+    return corner(index, Line(start, rod.width, end, rod.color));
+}
+
+// Where a point of a body is in the world.
+fn held(point: vec3f, body: u32) -> vec3f {
+    return drawn_position(body) + quat_rotate(drawn_orientation(body), point);
+}
+
+fn corner(index: u32, line: Line) -> Stroke {
     var a = frame.view_projection * vec4f(line.start, 1.0);
     var b = frame.view_projection * vec4f(line.end, 1.0);
     // Cut off what is behind the viewer.

@@ -1,7 +1,8 @@
 //! Every shader parses and validates with naga, without a graphics card.
 //!
 //! WGSL has no include. A shader that uses others says so at the end of its first comment,
-//! `Needs common/rotation, ch00_frame.`, in the order in which the Rust side puts them before it.
+//! `Needs common/rotation, ch00_frame.`, in the order in which the Rust side puts them before it. Some
+//! texts, such as `rows`, are generated: chapter 6 knows those.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -48,10 +49,10 @@ fn needs(text: &str) -> Vec<String> {
 fn check(name: &str, shaders: &BTreeMap<String, String>) -> Result<(), String> {
     let mut source = String::new();
     for needed in needs(&shaders[name]) {
-        let text = shaders
-            .get(&needed)
+        let text = shaders.get(&needed).cloned();
+        source += &text
+            .or_else(|| ch06_compute::stream::generated(&needed))
             .ok_or(format!("{name}: needs `{needed}`, which is no shader"))?;
-        source += text;
     }
     let before = source.lines().count();
     source += &shaders[name];

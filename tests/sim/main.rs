@@ -133,6 +133,7 @@ fn balls() {
         Some(20),
         "corrected",
     );
+    check_scene(ch03_collision::ENGINE, "pile", Some(20), "corrected");
 }
 
 #[test]
@@ -158,6 +159,7 @@ fn friction() {
 fn ragdolls() {
     check_scene(ch04_ragdolls::ENGINE, "ragdolls", Some(2), "corrected");
     check_scene(ch04_ragdolls::ENGINE, "ragdolls", Some(2), "printed");
+    check_scene(ch04_ragdolls::ENGINE, "ragdoll_field", Some(3), "corrected");
 }
 
 #[test]
@@ -211,10 +213,12 @@ fn long_runs_in_columns_end_in_the_bits_of_objects() {
         ("pair", None),
         ("balls", Some(200)),
         ("smooth_balls", Some(200)),
+        ("pile", Some(200)),
         ("mixed", Some(200)),
         ("stack", Some(10)),
         ("magnets_on_a_table", None),
         ("ragdolls", Some(5)),
+        ("ragdoll_field", Some(6)),
         ("door", None),
         ("chain", None),
         ("cradle", None),

@@ -1,7 +1,9 @@
 //! What every engine can do, so that any scene runs on any engine in the window, in the
 //! tests and in the laboratory.
 
-use std::time::Duration;
+mod shown;
+
+use std::any::Any;
 
 use glam::DVec3;
 use thiserror::Error;
@@ -10,6 +12,8 @@ use crate::{
     Body, Cell, ColumnInfo, Dissection, Drawing, Edit, Layer, RemoveError, RowId, Scene, State,
     TableError, TableInfo,
 };
+
+pub use shown::{Column, ColumnData, ContactPoint, Counters, EngineInfo, PassTime};
 
 /// Which mathematics an engine uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,93 +160,6 @@ impl EngineEntry {
     }
 }
 
-/// Who steps, and how.
-#[derive(Clone, Debug, PartialEq)]
-pub struct EngineInfo {
-    /// `objects`, `properties`, `lanes` or `compute`.
-    pub engine: &'static str,
-    /// The method in use.
-    pub method: &'static str,
-    /// Threads in use.
-    pub threads: u32,
-    /// Name of the device; `cpu` for the CPU.
-    pub device: String,
-    /// Parts of a step.
-    pub substeps: u32,
-    /// Solver sweeps over the contacts of a step, where the method has them.
-    pub sweeps: Option<u32>,
-    /// Bytes of a real number in the engine's state: 4 or 8.
-    pub real_size: u32,
-    /// Below this approach speed a contact doesn't bounce, m/s.
-    pub restitution_threshold: f64,
-}
-
-/// One property of all bodies, for the overlay's tables.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Column {
-    /// The property's name.
-    pub name: &'static str,
-    /// Its unit; empty for a pure number.
-    pub unit: &'static str,
-    /// One sentence.
-    pub about: &'static str,
-    /// A value a body, in the scene's order.
-    pub data: ColumnData,
-}
-
-/// The values of a column.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ColumnData {
-    /// One number a row.
-    Scalar(Vec<f32>),
-    /// Three numbers a row.
-    Vector(Vec<[f32; 3]>),
-    /// Four numbers a row: x, y, z, w.
-    Quaternion(Vec<[f32; 4]>),
-    /// Nine numbers a row, column by column.
-    Matrix(Vec<[f32; 9]>),
-    /// A whole number a row.
-    Index(Vec<u32>),
-}
-
-/// A contact of the last step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactPoint {
-    /// Index of the first body.
-    pub a: usize,
-    /// Index of the second body.
-    pub b: usize,
-    /// World position, m.
-    pub point: DVec3,
-    /// Unit vector from b to a.
-    pub normal: DVec3,
-    /// How deep the two overlapped when found, m.
-    pub depth: f64,
-    /// Impulse that a received, N s.
-    pub impulse: DVec3,
-}
-
-/// What the last step counted. Nothing is skipped in silence: what a step could not do
-/// stands in `overflow`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counters {
-    /// Pairs of bodies that the broad phase found.
-    pub pairs: usize,
-    /// Contacts that the narrow phase found.
-    pub contacts: usize,
-    /// Things that a capacity or an iteration limit left undone since loading.
-    pub overflow: usize,
-}
-
-/// Time that a part of the last step took.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PassTime {
-    /// The part's name, as in the step function.
-    pub name: &'static str,
-    /// Wall time.
-    pub time: Duration,
-}
-
 /// A spring that pulls a body to a point: the mouse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pull {
@@ -268,8 +185,33 @@ pub trait Engine {
     /// Advances the scene by `dt` seconds.
     fn step(&mut self, dt: f32);
 
-    /// Writes where every body is into `state`, in the scene's order.
+    /// Waits until the steps are made, where [`Self::step`] only hands them to a device.
+    fn finish(&mut self) {}
+
+    /// Writes where every body is after the last step into `state`, in the scene's order. An engine on
+    /// a device waits for it; one that has failed writes the last state that came back.
     fn read_state(&self, state: &mut State);
+
+    /// The same without waiting, for a window. An engine on a device is called once or more a frame
+    /// until the state has come: the first call asks for the state after the last step; the one that
+    /// finds it there writes it and gives how many steps were made since; None until then. The call
+    /// after that asks again. What was asked for before bodies or states were changed from outside
+    /// is dropped.
+    fn glance(&mut self, state: &mut State) -> Option<u64> {
+        self.read_state(state);
+        Some(0)
+    }
+
+    /// What a renderer can draw the bodies from without asking for their state, where they are kept
+    /// on a device; whoever draws knows its type (`ch00_shell::Resident`).
+    fn resident(&self) -> Option<&dyn Any> {
+        None
+    }
+
+    /// Why the engine can't go on, such as a device that was lost; its steps do nothing then.
+    fn failure(&self) -> Option<String> {
+        None
+    }
 
     /// Takes over the state of another engine that runs the same scene; `dt` is the step
     /// that comes next.

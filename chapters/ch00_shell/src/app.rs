@@ -3,8 +3,9 @@
 //!
 //! A frame never waits for the device, and the device is asked for asynchronously, as a
 //! browser demands. Where there is no display or no adapter, [`run`] answers with an error,
-//! and its caller goes on without a window.
+//! and its caller goes on without a window. A device that is lost later is opened again.
 
+use std::rc::Rc;
 use std::sync::Arc;
 
 use web_time::Instant;
@@ -16,11 +17,15 @@ use winit::window::{Window, WindowId};
 
 use crate::clock::Pace;
 use crate::gpu::Gpu;
+use crate::overlay::Panels;
 use crate::show::Show;
 use crate::stage::Stage;
 use crate::surface::{self, WindowSurface};
 use crate::window_loop::WindowLoop;
 use crate::{Chapter, Session, ShellError};
+
+/// A device may be lost so often; then something is wrong for good.
+const MOST_LOSSES: u32 = 3;
 
 /// Width and height of the window at the start, points.
 const SIZE: LogicalSize<u32> = LogicalSize::new(1280, 720);
@@ -38,7 +43,8 @@ pub fn run(chapter: &Chapter, session: Session, pace: Pace, show: Show) -> Resul
     let mut app = App {
         start,
         proxy: event_loop.create_proxy(),
-        phase: Phase::Waiting(Box::new(Stage::new(*chapter, session, pace, show))),
+        phase: Phase::Waiting(Box::new(Stage::new(*chapter, session, pace, show)), None),
+        losses: 0,
         failure: None,
     };
     event_loop
@@ -48,20 +54,22 @@ pub fn run(chapter: &Chapter, session: Session, pace: Pace, show: Show) -> Resul
 }
 
 /// A window whose device has been found, or not.
-type Ready = Result<(Arc<Window>, Gpu, wgpu::Surface<'static>), ShellError>;
+type Ready = Result<(Arc<Window>, Rc<Gpu>, wgpu::Surface<'static>), ShellError>;
 
 /// What the event loop drives.
 struct App {
     start: Instant,
     proxy: EventLoopProxy<Ready>,
     phase: Phase,
+    /// How often the device was lost.
+    losses: u32,
     failure: Option<ShellError>,
 }
 
 /// How far the window is.
 enum Phase {
-    /// For the system or the device.
-    Waiting(Box<Stage>),
+    /// For the system or the device; with the panels as they were before a device was lost.
+    Waiting(Box<Stage>, Option<Panels>),
     /// Frames are drawn.
     Running(Box<WindowLoop>),
     /// Nothing more to do.
@@ -77,12 +85,16 @@ impl App {
         let window = event_loop
             .create_window(attributes)
             .map_err(|error| ShellError::NoDisplay(error.to_string()))?;
-        let window = Arc::new(window);
-        let display = Box::new(event_loop.owned_display_handle());
-        let (instance, surface) = surface::create(&window, display)?;
+        self.request_device(Arc::new(window))
+    }
+
+    /// Asks for a device that can draw to a window.
+    fn request_device(&self, window: Arc<Window>) -> Result<(), ShellError> {
+        let instance = Gpu::instance();
+        let surface = surface::create(&instance, &window)?;
         let proxy = self.proxy.clone();
         spawn(async move {
-            let gpu = Gpu::request(&instance, Some(&surface)).await;
+            let gpu = Gpu::for_surface(&instance, &surface).await;
             // The loop is gone only if the window was closed meanwhile.
             let _ = proxy.send_event(gpu.map(|gpu| (window, gpu, surface)));
         });
@@ -93,13 +105,30 @@ impl App {
         let (window, gpu, surface) = ready?;
         let surface = WindowSurface::new(&gpu, surface, &window)?;
         match std::mem::replace(&mut self.phase, Phase::Over) {
-            Phase::Waiting(stage) => {
-                let running = WindowLoop::new(window, gpu, surface, *stage, self.start);
+            Phase::Waiting(stage, panels) => {
+                let running = WindowLoop::new(window, gpu, surface, *stage, panels, self.start);
                 self.phase = Phase::Running(Box::new(running));
             }
             phase => self.phase = phase,
         }
         Ok(())
+    }
+
+    /// Opens another device after a loss; the scene goes on where it was.
+    fn replace_device(&mut self) -> Result<(), ShellError> {
+        self.losses += 1;
+        match std::mem::replace(&mut self.phase, Phase::Over) {
+            Phase::Running(running) => {
+                let (window, mut stage, panels) = running.take_apart();
+                stage.tell("The graphics device was lost and another one opened.");
+                self.phase = Phase::Waiting(Box::new(stage), Some(panels));
+                self.request_device(window)
+            }
+            phase => {
+                self.phase = phase;
+                Ok(())
+            }
+        }
     }
 
     /// Ends the loop with an error, if there is one.
@@ -114,7 +143,7 @@ impl App {
 
 impl ApplicationHandler<Ready> for App {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
-        if let Phase::Waiting(stage) = &self.phase {
+        if let Phase::Waiting(stage, None) = &self.phase {
             let title = stage.chapter.title;
             let outcome = self.open(event_loop, title);
             self.check(event_loop, outcome);
@@ -131,10 +160,12 @@ impl ApplicationHandler<Ready> for App {
             self.phase = Phase::Over;
             event_loop.exit();
         } else if let Phase::Running(running) = &mut self.phase {
-            let outcome = running.on_event(&event);
+            let mut outcome = running.on_event(&event);
             if running.wants_to_quit() {
                 self.phase = Phase::Over;
                 event_loop.exit();
+            } else if running.has_lost_device() && self.losses < MOST_LOSSES {
+                outcome = self.replace_device();
             }
             self.check(event_loop, outcome);
         }

@@ -46,4 +46,6 @@ impl Chapter {
 const ENGINES_ELSEWHERE: &[(&str, &str)] = &[
     ("objects", "ch04_ragdolls"),
     ("properties", "ch05_properties"),
+    ("lanes", "ch06_compute"),
+    ("compute", "ch06_compute"),
 ];

@@ -211,7 +211,8 @@ impl Args {
         let entry = self.engine(chapter)?;
         let settings = self.settings();
         entry.method(&settings)?;
-        Ok(Session::new(self.scene(chapter)?, entry, settings)?)
+        let session = Session::new(self.scene(chapter)?, entry, settings)?;
+        Ok(session.with_fallbacks(chapter.engines))
     }
 }
 

@@ -67,6 +67,9 @@ pub enum ShellError {
     /// No window can be opened here.
     #[error("no window can be opened: {0}")]
     NoDisplay(String),
+    /// The engine failed in mid-run, and no other one could go on.
+    #[error("{0}")]
+    Stopped(String),
     /// The graphics device failed.
     #[error("the graphics device failed: {0}")]
     Graphics(String),

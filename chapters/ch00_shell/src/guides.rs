@@ -1,11 +1,9 @@
-//! What explains a picture: the layers that are shown, the pair that is looked at, what bodies
-//! hang on, the circles on which they are moved, and the mouse's spring.
+//! What explains a picture: the layers that are shown, the pair that is looked at, the circles on which
+//! bodies are moved, and the mouse's spring.
 
 use std::f64::consts::TAU;
 
-use ch00_scenes::{
-    ContactPoint, Dissection, Drawing, Face, Force, Joint, Key, Layer, Line, Mark, Scene, orbits,
-};
+use ch00_scenes::{ContactPoint, Dissection, Drawing, Face, Key, Layer, Line, Mark, Scene, orbits};
 use glam::DVec3;
 
 use crate::Session;
@@ -15,7 +13,6 @@ use crate::show::Show;
 use crate::stage::Stage;
 
 const SPRING: [u8; 4] = [255, 190, 60, 255];
-const ROD: [u8; 4] = [120, 130, 140, 255];
 const ORBIT: [u8; 4] = [120, 135, 155, 150];
 
 /// Straight pieces of a circle.
@@ -43,7 +40,7 @@ impl Guides {
     pub fn collect(&mut self, stage: &Stage) {
         let session = stage.session();
         self.collect_shown(session, &stage.show, stage.theme);
-        add_fixtures(session, stage.alpha(), &mut self.strokes);
+        add_carriers(session, stage.alpha(), &mut self.strokes);
         if let Some(pull) = stage.pulled() {
             let (position, orientation) = session.pose(pull.body, stage.alpha());
             let held = position + orientation * pull.anchor;
@@ -56,7 +53,7 @@ impl Guides {
     pub fn of_picture(session: &Session, show: &Show, theme: Theme) -> Self {
         let mut guides = Self::default();
         guides.collect_shown(session, show, theme);
-        add_fixtures(session, 1.0, &mut guides.strokes);
+        add_carriers(session, 1.0, &mut guides.strokes);
         guides
     }
 
@@ -98,25 +95,8 @@ impl Guides {
     }
 }
 
-/// What holds and carries the bodies, between the last two states at `alpha`: rods to fixed points
-/// and of distance joints, and orbits.
-fn add_fixtures(session: &Session, alpha: f64, strokes: &mut Vec<Stroke>) {
-    for force in &session.scene().forces {
-        if let Force::FixedPoint { body, arm } = *force {
-            let (position, orientation) = session.pose(body, alpha);
-            strokes.push(line(position - orientation * arm, position, 3.0, ROD));
-        }
-    }
-    for joint in &session.scene().joints {
-        if let Joint::Distance { a, b, .. } = *joint {
-            let (anchor_a, anchor_b) = joint.anchors();
-            let at = |body: usize, anchor: DVec3| {
-                let (position, orientation) = session.pose(body, alpha);
-                position + orientation * anchor
-            };
-            strokes.push(line(at(a, anchor_a), at(b, anchor_b), 2.0, ROD));
-        }
-    }
+/// The orbits that carry bodies, as they are between the last two steps at `alpha`.
+fn add_carriers(session: &Session, alpha: f64, strokes: &mut Vec<Stroke>) {
     let shown_time = session.time() - (1.0 - alpha) * session.dt();
     add_orbits(session.scene(), shown_time, strokes);
 }

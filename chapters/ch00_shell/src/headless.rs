@@ -80,7 +80,8 @@ pub fn run(mut session: Session, options: &Options) -> Result<(), ShellError> {
 /// Makes the scene's steps and says how they went; prints nothing but the progress bar.
 ///
 /// # Errors
-/// [`ShellError::Write`] for a dump that can't be written.
+/// [`ShellError::Write`] for a dump that can't be written, [`ShellError::Stopped`] if the engine fails
+/// and no other one can go on.
 pub fn simulate(session: &mut Session, options: &Options) -> Result<Summary, ShellError> {
     let mut states = StateFile::create(options.dump.as_ref(), session)?;
     let progress = progress_bar(session, options.json);
@@ -90,6 +91,7 @@ pub fn simulate(session: &mut Session, options: &Options) -> Result<Summary, She
     let mut dt = session.dt();
     while session.steps() < u64::from(last) {
         session.step_by(dt);
+        hear_of_failure(session, &progress)?;
         if session.steps() > 1 {
             times.record(session.step_time());
         }
@@ -103,6 +105,18 @@ pub fn simulate(session: &mut Session, options: &Options) -> Result<Summary, She
     progress.finish_and_clear();
     states.finish()?;
     Ok(summarise(session, options, Timing::of(&times), &worst))
+}
+
+/// Says so where the engine has failed and another one went on.
+fn hear_of_failure(session: &mut Session, progress: &ProgressBar) -> Result<(), ShellError> {
+    let notice = session.take_notice();
+    match session.failure() {
+        Some(why) => Err(ShellError::Stopped(why.to_owned())),
+        None => {
+            notice.inspect(|notice| progress.suspend(|| eprintln!("{notice}")));
+            Ok(())
+        }
+    }
 }
 
 fn summarise(session: &Session, options: &Options, timing: Timing, worst: &Worst) -> Summary {

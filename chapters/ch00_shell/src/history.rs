@@ -75,9 +75,9 @@ impl History {
         self.largest_momentum_error
     }
 
-    /// Whether the state after this step is to be measured.
-    pub(crate) fn is_due(&self, step: u64) -> bool {
-        step.is_multiple_of(self.every)
+    /// Whether the state after this step is to be measured, where the one after step `last` was.
+    pub(crate) fn is_due(&self, last: u64, step: u64) -> bool {
+        step / self.every > last / self.every
     }
 
     /// Measures a state.
@@ -194,8 +194,9 @@ mod tests {
         let shape = Shape::Sphere { radius: 0.1 };
         scene.bodies = vec![Body::new(shape, 1.0, DVec3::ZERO); 30_000];
         let history = History::new(&scene);
-        let due: Vec<_> = (1..=6).filter(|&step| history.is_due(step)).collect();
-        assert_eq!(due, [3, 6]);
+        let is_due = |&step: &u64| history.is_due(step - 1, step);
+        assert_eq!((1..=6).filter(is_due).collect::<Vec<_>>(), [3, 6]);
+        assert!(history.is_due(2, 7), "of late states the first after it");
     }
 
     #[test]

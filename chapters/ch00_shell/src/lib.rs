@@ -3,6 +3,8 @@
 //!
 //! A chapter says what it offers in a [`Chapter`] and its `main.rs` calls [`main`].
 
+#[cfg(test)]
+mod bench_tmp;
 mod app;
 mod camera;
 mod chapter;
@@ -11,7 +13,7 @@ pub mod clock;
 mod edits;
 mod error;
 pub mod frame_rate;
-mod gpu;
+pub mod gpu;
 mod guides;
 pub mod headless;
 pub mod history;
@@ -19,6 +21,7 @@ mod input;
 mod overlay;
 mod picking;
 mod render;
+mod resident;
 pub mod screenshot;
 pub mod session;
 pub mod show;
@@ -36,4 +39,6 @@ mod worst;
 pub use chapter::Chapter;
 pub use cli::{Args, main, report, run};
 pub use error::ShellError;
+pub use gpu::Gpu;
+pub use resident::{Drawn, Resident};
 pub use session::Session;

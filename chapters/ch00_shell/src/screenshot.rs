@@ -10,7 +10,7 @@ use glam::{Vec2, Vec3};
 use crate::camera::{Camera, Viewport};
 use crate::gpu::Gpu;
 use crate::guides::Guides;
-use crate::overlay::Still;
+use crate::overlay::{Canvas, Still};
 use crate::render::{Picture, Quality, Renderer, Surroundings, Theme};
 use crate::show::Show;
 use crate::{Session, ShellError};
@@ -38,19 +38,24 @@ pub struct View {
 /// [`ShellError::NoAdapter`] or [`ShellError::Graphics`] where it can't be drawn,
 /// [`ShellError::Write`] where it can't be written.
 pub fn save(session: &Session, show: &Show, view: View, path: &Path) -> Result<String, ShellError> {
-    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-    let instance = wgpu::Instance::new(descriptor);
-    let gpu = pollster::block_on(Gpu::request(&instance, None))?;
-    let pixels = draw(&gpu, session, show, view)?;
+    let gpu = Gpu::shared()?;
+    let pixels = draw(&gpu, session, show, view, 1.0)?;
     write_png(path, &pixels).map_err(|source| ShellError::Write {
         file: path.to_owned(),
         source,
     })?;
-    Ok(gpu.name)
+    Ok(gpu.name.clone())
 }
 
-/// The picture's pixels, row by row from the top.
-fn draw(gpu: &Gpu, session: &Session, show: &Show, view: View) -> Result<Vec<u8>, ShellError> {
+/// The picture's pixels, row by row from the top; bodies are `alpha` of the way from the last state but
+/// one to the last.
+fn draw(
+    gpu: &Gpu,
+    session: &Session,
+    show: &Show,
+    view: View,
+    alpha: f64,
+) -> Result<Vec<u8>, ShellError> {
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("screenshot"),
         size: extent(),
@@ -75,7 +80,7 @@ fn draw(gpu: &Gpu, session: &Session, show: &Show, view: View) -> Result<Vec<u8>
     let mut renderer = Renderer::new(gpu, FORMAT, Quality::CARD, surroundings);
     let picture = Picture {
         session,
-        alpha: 1.0,
+        alpha,
         camera: &camera,
         viewport,
         scale: 1.0,
@@ -86,6 +91,7 @@ fn draw(gpu: &Gpu, session: &Session, show: &Show, view: View) -> Result<Vec<u8>
         is_glass: show.is_glass(),
         strokes: &guides.strokes,
         faces: &guides.faces,
+        is_as_read: show.is_any(),
     };
     let mut encoder = gpu
         .device
@@ -93,7 +99,11 @@ fn draw(gpu: &Gpu, session: &Session, show: &Show, view: View) -> Result<Vec<u8>
     let target = texture.create_view(&wgpu::TextureViewDescriptor::default());
     renderer.draw(gpu, &mut encoder, &target, SIZE, &picture);
     if show.is_any() {
-        still.paint(gpu, &mut encoder, &target);
+        let canvas = Canvas {
+            texture: &texture,
+            view: &target,
+        };
+        still.paint(gpu, &mut encoder, &canvas);
     }
     read_back(gpu, encoder, &texture)
 }
@@ -202,4 +212,85 @@ fn write_png(path: &Path, pixels: &[u8]) -> std::io::Result<()> {
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels)?;
     Ok(writer.finish()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use ch00_scenes::{EngineEntry, Layer, Scene, Settings};
+
+    use super::*;
+    use crate::test_engine::{FALLING, RESIDENT, ball};
+
+    /// A built-in scene after two steps, to be drawn as a window would.
+    fn session(scene: &str, entry: EngineEntry) -> Session {
+        let scene = Scene::open(scene, None, None).expect("a built-in");
+        let session = Session::new(scene, entry, Settings::defaults()).expect("it falls");
+        let mut session = session.in_window();
+        session.set_dt(0.1);
+        session.step();
+        session.step();
+        session
+    }
+
+    fn picture(session: &Session, alpha: f64) -> Vec<u8> {
+        let gpu = Gpu::shared().expect("a Vulkan device, such as that of mesa-vulkan-drivers");
+        draw(&gpu, session, &Show::default(), View::default(), alpha).expect("it can be drawn")
+    }
+
+    /// How many pixels differ visibly.
+    fn differences(one: &[u8], two: &[u8]) -> usize {
+        let pixels = one.chunks_exact(4).zip(two.chunks_exact(4));
+        let differs = |(one, two): &(&[u8], &[u8])| (0..3).any(|i| one[i].abs_diff(two[i]) > 8);
+        pixels.filter(differs).count()
+    }
+
+    #[track_caller]
+    fn look_the_same(one: &[u8], two: &[u8]) {
+        let odd = differences(one, two);
+        assert!(odd < 50, "{odd} pixels differ");
+    }
+
+    #[test]
+    fn bodies_on_the_device_are_drawn_where_those_of_other_engines_are() {
+        // All shapes, and rods between bodies.
+        for scene in ["mixed", "cradle"] {
+            let [here, there] = [FALLING, RESIDENT].map(|entry| session(scene, entry));
+            assert!(there.frames_late() > 0 && here.frames_late() == 0);
+            for alpha in [0.0, 0.5, 1.0] {
+                look_the_same(&picture(&here, alpha), &picture(&there, alpha));
+            }
+            let moved = differences(&picture(&there, 0.0), &picture(&there, 0.5));
+            assert!(moved > 1000, "only {moved} pixels of {scene} move");
+        }
+    }
+
+    #[test]
+    fn bodies_that_come_and_go_are_drawn_from_the_device_too() {
+        let [here, there] = [FALLING, RESIDENT].map(|entry| {
+            let mut session = session("mixed", entry);
+            session.remove_body(7).expect("nothing holds it");
+            session.add_body(ball(0.0)).expect("there is room");
+            session.step();
+            picture(&session, 0.5)
+        });
+        look_the_same(&here, &there);
+    }
+
+    #[test]
+    fn with_layers_bodies_are_drawn_as_late_as_these_are() {
+        let gpu = Gpu::shared().expect("a Vulkan device, such as that of mesa-vulkan-drivers");
+        let show = Show {
+            layers: vec![Layer::Aabbs],
+            is_see_through: false,
+            pair: None,
+        };
+        let mut late = session("mixed", RESIDENT);
+        let drawn = |session: &Session| {
+            draw(&gpu, session, &show, View::default(), 1.0).expect("it can be drawn")
+        };
+        let start = drawn(&late);
+        assert!(differences(&start, &picture(&late, 1.0)) > 1000);
+        late.reset().expect("it was loaded before");
+        look_the_same(&start, &picture(&late, 1.0));
+    }
 }

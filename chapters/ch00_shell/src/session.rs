@@ -3,6 +3,8 @@
 //! the window, the headless runner and the tests run exactly the same steps.
 
 mod hands;
+mod late;
+mod moments;
 
 use std::time::Duration;
 
@@ -12,6 +14,7 @@ use glam::{DQuat, DVec3};
 use web_time::Instant;
 
 use crate::history::History;
+use moments::{Moment, Moments};
 
 /// A scene on an engine, at some step.
 pub struct Session {
@@ -21,16 +24,34 @@ pub struct Session {
     entry: EngineEntry,
     settings: Settings,
     engine: Box<dyn Engine>,
+    /// Engines to go on with when this one fails.
+    fallbacks: &'static [EngineEntry],
+    /// Whether no step may wait for a device.
+    is_in_window: bool,
+    /// The state one step before [`Self::now`], or the one known before it if that is late.
     before: State,
     now: State,
+    /// When the bodies were where [`Self::now`] says.
+    seen: Moment,
+    moments: Moments,
+    /// Whether a state was asked for and hasn't come.
+    has_asked: bool,
+    steps_at_look: u64,
     time: f64,
     steps: u64,
     step_time: Duration,
     history: History,
-    /// Whether a body is being dragged.
-    pulled: bool,
+    /// The step that was measured last.
+    measured: u64,
+    /// Bodies with a number that is not finite, when they were measured last.
+    not_finite: usize,
+    /// Up to which step a body was dragged.
+    pulled_until: u64,
     /// How often the engine's rows may have changed.
     revision: u64,
+    /// Why the engine can't go on, if no other one can.
+    failure: Option<String>,
+    notice: Option<String>,
 }
 
 impl Session {
@@ -41,6 +62,7 @@ impl Session {
     pub fn new(scene: Scene, entry: EngineEntry, settings: Settings) -> Result<Self, LoadError> {
         let engine = (entry.load)(&scene, &settings)?;
         let now = read(engine.as_ref());
+        let moments = Moments::start();
         Ok(Self {
             history: History::new(&scene),
             loaded: scene.clone(),
@@ -48,25 +70,49 @@ impl Session {
             entry,
             settings,
             engine,
+            fallbacks: &[],
+            is_in_window: false,
             before: now.clone(),
+            not_finite: now.not_finite(),
             now,
+            seen: moments.of(0),
+            moments,
+            has_asked: false,
+            steps_at_look: 0,
             time: 0.0,
             steps: 0,
             step_time: Duration::ZERO,
-            pulled: false,
+            measured: 0,
+            pulled_until: 0,
             revision: 0,
+            failure: None,
+            notice: None,
         })
     }
 
-    /// Makes one step of `dt` seconds and reads the new state.
+    /// Makes one step of `dt` seconds and reads the new state; where that would have to be waited for
+    /// in a window, [`Self::look`] reads it later. If the engine fails, another one makes the step.
     ///
     /// `dt` must be positive and finite.
     pub fn step_by(&mut self, dt: f64) {
+        if self.failure.is_some() {
+            return;
+        }
         self.step_time = self.advance(dt);
-        self.read_state();
+        if self.check_engine() {
+            if self.failure.is_some() {
+                return;
+            }
+            self.step_time = self.advance(dt);
+        }
         self.time += dt;
         self.steps += 1;
-        self.measure();
+        self.moments.note(self.steps, self.time);
+        if !self.is_late() {
+            let last = self.seen.step;
+            self.read_state();
+            self.measure(last);
+        }
     }
 
     /// Makes one step of the scene's own size.
@@ -87,6 +133,8 @@ impl Session {
         let revision = self.revision + 1;
         *self = Self {
             revision,
+            fallbacks: self.fallbacks,
+            is_in_window: self.is_in_window,
             ..Self::new(scene, self.entry, self.settings.clone())?
         };
         Ok(())
@@ -104,11 +152,14 @@ impl Session {
         settings: Settings,
     ) -> Result<(), LoadError> {
         let mut engine = (entry.load)(&self.scene, &settings)?;
+        self.catch_up();
         engine.write_state(&self.now, self.scene.dt as f32);
         self.engine = engine;
         self.entry = entry;
         self.settings = settings;
-        self.pulled = false;
+        self.failure = None;
+        self.has_asked = false;
+        self.pulled_until = self.pulled_until.min(self.steps);
         self.reread();
         Ok(())
     }
@@ -119,12 +170,15 @@ impl Session {
     }
 
     /// Where a body is drawn: `alpha` of the way from the last state but one (0) to the last
-    /// (1). Position in m; body to world.
+    /// (1); about there while the last is late. Position in m; body to world.
     ///
     /// # Panics
     /// If there is no such body.
     #[must_use]
     pub fn pose(&self, body: usize, alpha: f64) -> (DVec3, DQuat) {
+        if self.is_late() {
+            return self.carried_on(body, alpha);
+        }
         let position = self.before.position[body].lerp(self.now.position[body], alpha);
         let orientation = self.before.orientation[body].lerp(self.now.orientation[body], alpha);
         (position, orientation)
@@ -154,13 +208,18 @@ impl Session {
         &self.settings
     }
 
-    /// The state one step ago; the same as [`Self::state_now`] before the first step.
+    /// The state one step ago; the same as [`Self::state_now`] before the first step, and where that is
+    /// late, as it has none to be interpolated with.
     #[must_use]
     pub fn state_before(&self) -> &State {
-        &self.before
+        if self.is_late() {
+            &self.now
+        } else {
+            &self.before
+        }
     }
 
-    /// The state after the last step.
+    /// The state after the last step, or the last one that has come back.
     #[must_use]
     pub fn state_now(&self) -> &State {
         &self.now
@@ -184,7 +243,8 @@ impl Session {
         self.steps
     }
 
-    /// Wall time of the last step: the engine alone, without reading or measuring.
+    /// Wall time of the last step: the engine alone, without reading or measuring. In a window a step
+    /// on a device is only handed over in it.
     #[must_use]
     pub fn step_time(&self) -> Duration {
         self.step_time
@@ -203,10 +263,19 @@ impl Session {
         &self.history
     }
 
+    /// Bodies with a number that is not finite, in the state that was measured last.
+    #[must_use]
+    pub fn not_finite(&self) -> usize {
+        self.not_finite
+    }
+
     /// The engine's step and nothing else; gives its wall time.
     fn advance(&mut self, dt: f64) -> Duration {
         let start = Instant::now();
         self.engine.step(dt as f32);
+        if !self.is_late() {
+            self.engine.finish();
+        }
         self.revision += 1;
         start.elapsed()
     }
@@ -214,6 +283,7 @@ impl Session {
     fn read_state(&mut self) {
         std::mem::swap(&mut self.before, &mut self.now);
         self.engine.read_state(&mut self.now);
+        self.seen = self.moments.of(self.steps);
     }
 
     /// After something other than a step has changed the state there is nothing to
@@ -221,16 +291,20 @@ impl Session {
     fn reread(&mut self) {
         self.engine.read_state(&mut self.now);
         self.before.clone_from(&self.now);
+        self.seen = self.moments.of(self.steps);
         self.revision += 1;
     }
 
-    fn measure(&mut self) {
-        if self.pulled {
+    /// Measures the state that is known now; the one known before it was of step `last`.
+    fn measure(&mut self, last: u64) {
+        if last < self.pulled_until {
             let before = Conserved::of(&self.scene, &self.before);
             self.history.forgive(&before, &self.sums());
         }
-        if self.history.is_due(self.steps) {
-            self.history.record(&self.scene, &self.now, self.time);
+        if self.history.is_due(self.measured, self.seen.step) {
+            self.measured = self.seen.step;
+            self.not_finite = self.now.not_finite();
+            self.history.record(&self.scene, &self.now, self.seen.time);
         }
     }
 

@@ -16,7 +16,9 @@ use crate::camera::{Camera, Ray, Viewport};
 use crate::clock::{Clock, Pace};
 use crate::edits::Edits;
 use crate::frame_rate::FrameRate;
+use crate::gpu::Gpu;
 use crate::render::{Surroundings, Theme};
+use crate::resident::Resident;
 use crate::show::Show;
 use crate::{Chapter, Session, ShellError};
 
@@ -71,6 +73,7 @@ impl Stage {
     /// A session about to start.
     #[must_use]
     pub fn new(chapter: Chapter, session: Session, pace: Pace, show: Show) -> Self {
+        let session = session.in_window();
         let surroundings = Surroundings::of(session.scene());
         let viewport = Viewport::whole([1280, 720]);
         Self {
@@ -150,7 +153,39 @@ impl Stage {
             }
             self.alpha = frame.alpha;
         }
+        self.session.look();
+        self.hear_of_failure();
         self.keep_following();
+    }
+
+    /// Says so where the engine has failed and another one went on, or none could.
+    fn hear_of_failure(&mut self) {
+        if let Some(notice) = self.session.take_notice() {
+            self.tell(&notice);
+            self.is_paused |= self.session.failure().is_some();
+            self.pull = None;
+            self.edits.clear();
+            self.show.keep_possible(&self.session);
+        }
+    }
+
+    /// Tells the user something, after what is still to be read.
+    pub fn tell(&mut self, text: &str) {
+        self.notice = Some(match self.notice.take() {
+            Some(before) => format!("{before}\n{text}"),
+            None => text.to_owned(),
+        });
+    }
+
+    /// The window draws with this device from now on. An engine that keeps its bodies on another one
+    /// is loaded again, so that the window can draw from them.
+    pub fn move_to(&mut self, gpu: &Gpu) {
+        let is_elsewhere = |resident: &Resident| resident.gpu.device != gpu.device;
+        let has_failed = self.session.engine().failure().is_some();
+        if !has_failed && self.session.resident().is_some_and(is_elsewhere) {
+            let settings = self.session.settings().clone();
+            self.change_engine(self.session.entry(), settings);
+        }
     }
 
     /// Stops time, or lets it go on.
@@ -217,9 +252,9 @@ impl Stage {
     fn load(&self, name: &str, count: Option<u64>) -> Result<Session, ShellError> {
         let scene = self.open(name, count)?;
         let (entry, settings) = (self.session.entry(), self.session.settings().clone());
-        Session::new(scene.clone(), entry, settings)
-            .or_else(|_| Session::new(scene, entry, Settings::defaults()))
-            .map_err(ShellError::from)
+        let session = Session::new(scene.clone(), entry, settings)
+            .or_else(|_| Session::new(scene, entry, Settings::defaults()))?;
+        Ok(session.in_window().with_fallbacks(self.chapter.engines))
     }
 
     fn open(&self, name: &str, count: Option<u64>) -> Result<Scene, ShellError> {

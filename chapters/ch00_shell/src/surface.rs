@@ -32,7 +32,8 @@ impl WindowSurface {
             .ok_or_else(|| {
                 ShellError::Graphics(format!("{} can't show pictures in a window", gpu.name))
             })?;
-        let formats = surface.get_capabilities(&gpu.adapter).formats;
+        let can = surface.get_capabilities(&gpu.adapter);
+        let formats = can.formats;
         let plain = |format: &&wgpu::TextureFormat| {
             matches!(
                 format,
@@ -42,6 +43,7 @@ impl WindowSurface {
         let fallback = config.format.remove_srgb_suffix();
         config.format = formats.iter().find(plain).copied().unwrap_or(fallback);
         config.present_mode = wgpu::PresentMode::AutoVsync;
+        config.usage |= can.usages & wgpu::TextureUsages::COPY_DST;
         let mut surface = Self {
             surface,
             config,
@@ -95,18 +97,16 @@ impl WindowSurface {
     }
 }
 
-/// An instance and the surface of a window, from which an adapter can be asked for.
+/// The surface of a window.
 ///
 /// # Errors
 /// [`ShellError::NoAdapter`] if no graphics system can show pictures in this window.
 pub fn create(
+    instance: &wgpu::Instance,
     window: &Arc<Window>,
-    display: Box<dyn wgpu::wgt::WgpuHasDisplayHandle>,
-) -> Result<(wgpu::Instance, wgpu::Surface<'static>), ShellError> {
-    let descriptor = wgpu::InstanceDescriptor::new_with_display_handle_from_env(display);
-    let instance = wgpu::Instance::new(descriptor);
-    let surface = instance
-        .create_surface(Arc::clone(window))
-        .map_err(|error| ShellError::NoAdapter(error.to_string()))?;
-    Ok((instance, surface))
+) -> Result<wgpu::Surface<'static>, ShellError> {
+    let target = wgpu::SurfaceTarget::DisplayAndWindow(Box::new(Arc::clone(window)));
+    instance
+        .create_surface(target)
+        .map_err(|error| ShellError::NoAdapter(error.to_string()))
 }

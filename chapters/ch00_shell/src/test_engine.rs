@@ -3,6 +3,7 @@
 //! p += v Δt + ½ g Δt², v += g Δt. The method `heavy` falls twice as fast, so that tests see
 //! a change of engine, and removes no bodies, so that they see a refusal.
 
+mod resident;
 mod tables;
 
 use ch00_scenes::{
@@ -13,11 +14,13 @@ use glam::{DQuat, DVec3, Vec3};
 
 use crate::Session;
 use crate::chapter::Chapter;
+use crate::gpu::Gpu;
 use tables::Ids;
 
+pub(crate) use resident::{GLANCES, RESIDENT};
 pub(crate) use tables::{FARTHEST, PAIRS};
 
-/// The only engine of [`CHAPTER`].
+/// The engine of [`CHAPTER`].
 pub(crate) const FALLING: EngineEntry = EngineEntry {
     name: "falling",
     chapter: "ch00_shell",
@@ -65,6 +68,21 @@ pub(crate) fn scene_of_balls(count: usize) -> Scene {
 /// These balls, about to fall.
 pub(crate) fn balls(count: usize) -> Session {
     Session::new(scene_of_balls(count), FALLING, Settings::defaults()).expect("they can fall")
+}
+
+/// The same on the device, in a window.
+pub(crate) fn resident_balls(count: usize) -> Session {
+    Session::new(scene_of_balls(count), RESIDENT, Settings::defaults())
+        .expect("they can fall")
+        .in_window()
+}
+
+/// Loses the device that is open.
+pub(crate) fn lose_device() {
+    let gpu = Gpu::shared().expect("it is open");
+    gpu.device.destroy();
+    let outcome = gpu.device.poll(wgpu::PollType::wait_indefinitely());
+    outcome.expect("nothing is left to do");
 }
 
 struct Falling {

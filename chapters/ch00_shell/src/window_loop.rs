@@ -1,6 +1,7 @@
 //! A frame of the window, and what happens between frames: simulate, lay the overlay out,
 //! draw the scene, paint the overlay, show.
 
+use std::rc::Rc;
 use std::sync::Arc;
 
 use web_time::{Duration, Instant};
@@ -11,7 +12,7 @@ use crate::ShellError;
 use crate::gpu::Gpu;
 use crate::guides::Guides;
 use crate::input::Input;
-use crate::overlay::{Layout, Overlay};
+use crate::overlay::{Canvas, Layout, Overlay, Panels};
 use crate::render::{Picture, Quality, Renderer};
 use crate::stage::Stage;
 use crate::surface::WindowSurface;
@@ -30,24 +31,26 @@ pub struct WindowLoop {
     last_frame: Option<Instant>,
     is_occluded: bool,
     // Dropped last: everything above lives on it.
-    gpu: Gpu,
+    gpu: Rc<Gpu>,
 }
 
 impl WindowLoop {
-    /// Ready for the first frame.
+    /// Ready for the first frame, or for the next one after a device was lost.
     pub fn new(
         window: Arc<Window>,
-        gpu: Gpu,
+        gpu: Rc<Gpu>,
         surface: WindowSurface,
         mut stage: Stage,
+        panels: Option<Panels>,
         start: Instant,
     ) -> Self {
         stage.adapter.clone_from(&gpu.name);
+        stage.move_to(&gpu);
         let (surroundings, generation) = stage.surroundings();
         let quality = Quality::of(gpu.is_software, surroundings);
         Self {
             renderer: Renderer::new(&gpu, surface.format(), quality, surroundings.clone()),
-            overlay: Overlay::new(&gpu, &window, surface.format()),
+            overlay: Overlay::new(&gpu, &window, surface.format(), panels.unwrap_or_default()),
             input: Input::default(),
             guides: Guides::default(),
             last_frame: None,
@@ -64,6 +67,16 @@ impl WindowLoop {
     /// Whether the user wants to close the window.
     pub fn wants_to_quit(&self) -> bool {
         self.input.wants_to_quit
+    }
+
+    /// Whether the device is gone that everything here lives on.
+    pub fn has_lost_device(&self) -> bool {
+        self.gpu.is_lost()
+    }
+
+    /// What outlives the device.
+    pub fn take_apart(self) -> (Arc<Window>, Stage, Panels) {
+        (self.window, self.stage, self.overlay.into_panels())
     }
 
     /// Whether there is anyone to draw for.
@@ -152,9 +165,14 @@ impl WindowLoop {
             is_glass: self.stage.show.is_glass(),
             strokes: &self.guides.strokes,
             faces: &self.guides.faces,
+            is_as_read: self.stage.show.is_any(),
         };
         self.renderer.draw(gpu, &mut encoder, &view, size, &scene);
-        self.overlay.paint(gpu, &mut encoder, &view, size, layout);
+        let canvas = Canvas {
+            texture: &picture.texture,
+            view: &view,
+        };
+        self.overlay.paint(gpu, &mut encoder, &canvas, layout);
         gpu.queue.submit([encoder.finish()]);
     }
 

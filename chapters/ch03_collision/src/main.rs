@@ -12,6 +12,7 @@ fn main() -> ExitCode {
         scenes: &[
             "balls",
             "smooth_balls",
+            "pile",
             "mixed",
             "stack",
             "heavy_on_light",

@@ -8,9 +8,8 @@
 
 use ch00_maths::f64::real::{PI, cos, sin};
 use glam::DVec3;
-use serde_json::json;
 
-use super::parts::open_box;
+use super::parts::in_open_box;
 use crate::Scene;
 
 /// What a body of a crowd reaches from its centre, at most, m.
@@ -27,15 +26,7 @@ pub(super) fn open_box_for(name: &str, count: u64, seed: u64) -> (Scene, Vec<DVe
     let centres = spiral(count, inner);
     let top = centres.last().map_or(LOWEST_LAYER, |centre| centre.y);
     let wall_height = 10.0 + 3.0 * (top + SPACING);
-    let mut scene = Scene::new(name);
-    scene.bodies = open_box(inner, wall_height).into();
-    for (key, value) in [
-        ("inner_half_extents", json!([inner, inner])),
-        ("wall_height", json!(wall_height)),
-        ("seed", json!(seed)),
-    ] {
-        scene.meta.insert(key.to_owned(), value);
-    }
+    let scene = in_open_box(name, [inner, inner], wall_height, seed);
     (scene, centres)
 }
 

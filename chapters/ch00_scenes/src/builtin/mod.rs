@@ -15,6 +15,8 @@ mod oblique;
 mod orrery;
 mod pair;
 mod parts;
+mod pile;
+mod ragdoll_field;
 pub mod ragdolls;
 mod slide;
 mod slip_to_roll;
@@ -110,6 +112,12 @@ const LIST: &[Entry] = &[
         "the same balls without friction and without spin: the least that a body can need",
         seeded("balls", 60, [0, 100_000]),
         smooth_balls::build,
+    ),
+    scaled(
+        "pile",
+        "balls settle into a bed of six layers on a floor that grows with their number",
+        seeded("balls", 1000, [1, 1_000_000]),
+        pile::build,
     ),
     fixed(
         "pair",
@@ -228,6 +236,12 @@ const LIST: &[Entry] = &[
         "ragdolls stacked above an open box fall into it (report, Table 2)",
         seeded("ragdolls", 5, [0, 1000]),
         ragdolls::build,
+    ),
+    scaled(
+        "ragdoll_field",
+        "ragdolls, one to three high, fall low over a floor that grows with their number",
+        seeded("ragdolls", 20, [1, 10_000]),
+        ragdoll_field::build,
     ),
 ];
 
@@ -355,7 +369,7 @@ mod tests {
         let message = build("bals", None, None).unwrap_err().to_string();
         assert!(message.contains("`bals`"), "{message}");
         assert!(
-            message.contains("balls, smooth_balls, pair, bounce"),
+            message.contains("balls, smooth_balls, pile, pair, bounce"),
             "{message}"
         );
     }
@@ -365,8 +379,9 @@ mod tests {
         let message = build("pair", Some(3), None).unwrap_err().to_string();
         assert_eq!(
             message,
-            "scene `pair` has no `--count`: these scenes have one: balls, smooth_balls, mixed, \
-             stack, heavy_on_light, tunnelling, cradle, chain, chain_hanging, ragdolls"
+            "scene `pair` has no `--count`: these scenes have one: balls, smooth_balls, pile, \
+             mixed, stack, heavy_on_light, tunnelling, cradle, chain, chain_hanging, ragdolls, \
+             ragdoll_field"
         );
     }
 
@@ -378,7 +393,7 @@ mod tests {
                 message,
                 format!(
                     "scene `{name}` has no `--seed`: these scenes have one: balls, smooth_balls, \
-                     mixed, ragdolls"
+                     pile, mixed, ragdolls, ragdoll_field"
                 )
             );
         }
@@ -390,6 +405,8 @@ mod tests {
             ("balls", 100_001, "it can have 0 to 100000 balls"),
             ("smooth_balls", 100_001, "it can have 0 to 100000 balls"),
             ("ragdolls", 1001, "it can have 0 to 1000 ragdolls"),
+            ("pile", 0, "it can have 1 to 1000000 balls"),
+            ("ragdoll_field", 10_001, "it can have 1 to 10000 ragdolls"),
             ("stack", 0, "it can have 1 to 100 cubes"),
             ("chain", 0, "it can have 1 to 1000 links"),
         ] {

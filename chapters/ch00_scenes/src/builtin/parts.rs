@@ -2,8 +2,9 @@
 //! what things are made of.
 
 use glam::{DQuat, DVec3};
+use serde_json::json;
 
-use crate::{Body, Pole, Shape};
+use crate::{Body, Pole, Scene, Shape};
 
 /// Half of the thickness of floors and walls, m: thick, so that little falls through.
 const HALF_THICKNESS: f64 = 0.5;
@@ -14,18 +15,33 @@ pub(super) fn floor(half_x: f64, half_z: f64) -> Body {
     static_box(half_extents, DVec3::new(0.0, -HALF_THICKNESS, 0.0))
 }
 
-/// A floor and four walls about the origin, inner faces at x, z = ±`inner` and y = 0.
-pub(super) fn open_box(inner: f64, wall_height: f64) -> [Body; 5] {
-    let outer = inner + 2.0 * HALF_THICKNESS;
-    let (half, middle) = (wall_height / 2.0, inner + HALF_THICKNESS);
-    let wall_x = DVec3::new(HALF_THICKNESS, half, outer);
-    let wall_z = DVec3::new(inner, half, HALF_THICKNESS);
+/// A scene with a floor and four walls about the origin, inner faces at x = ±`inner_x`, z = ±`inner_z`
+/// and y = 0. Its `meta` has their places and the seed.
+pub(super) fn in_open_box(name: &str, inner: [f64; 2], wall_height: f64, seed: u64) -> Scene {
+    let mut scene = Scene::new(name);
+    scene.bodies = open_box(inner, wall_height).into();
+    for (key, value) in [
+        ("inner_half_extents", json!(inner)),
+        ("wall_height", json!(wall_height)),
+        ("seed", json!(seed)),
+    ] {
+        scene.meta.insert(key.to_owned(), value);
+    }
+    scene
+}
+
+fn open_box([inner_x, inner_z]: [f64; 2], wall_height: f64) -> [Body; 5] {
+    let [outer_x, outer_z] = [inner_x, inner_z].map(|inner| inner + 2.0 * HALF_THICKNESS);
+    let [x, z] = [inner_x, inner_z].map(|inner| inner + HALF_THICKNESS);
+    let half = wall_height / 2.0;
+    let wall_x = DVec3::new(HALF_THICKNESS, half, outer_z);
+    let wall_z = DVec3::new(inner_x, half, HALF_THICKNESS);
     [
-        floor(outer, outer),
-        static_box(wall_x, DVec3::new(middle, half, 0.0)),
-        static_box(wall_x, DVec3::new(-middle, half, 0.0)),
-        static_box(wall_z, DVec3::new(0.0, half, middle)),
-        static_box(wall_z, DVec3::new(0.0, half, -middle)),
+        floor(outer_x, outer_z),
+        static_box(wall_x, DVec3::new(x, half, 0.0)),
+        static_box(wall_x, DVec3::new(-x, half, 0.0)),
+        static_box(wall_z, DVec3::new(0.0, half, z)),
+        static_box(wall_z, DVec3::new(0.0, half, -z)),
     ]
 }
 

@@ -15,14 +15,13 @@
 
 use ch00_maths::f64::real::PI;
 use glam::{DQuat, DVec3};
-use serde_json::json;
 
-use super::parts::open_box;
+use super::parts::in_open_box;
 use crate::random::SplitMix64;
 use crate::{Body, Joint, Scene, Shape};
 
 /// F of the report's demos, 1/s.
-const DRAG: f64 = 0.25;
+pub(super) const DRAG: f64 = 0.25;
 
 /// The names of a ragdoll's bones, in the order of its bodies. Bone b of ragdoll r is body
 /// [`body`]`(r, b)` of the scene.
@@ -144,11 +143,11 @@ impl Link {
 
 /// What the ragdolls of a stack share: half of the box's width for one stack, between a
 /// ragdoll and the next above, and heights above the soles, m.
-const INNER: f64 = 0.85;
-const SPACING: f64 = 2.15;
+pub(super) const INNER: f64 = 0.85;
+pub(super) const SPACING: f64 = 2.15;
 const LOWEST_SOLES: f64 = 0.6;
 /// Of the point that a ragdoll is turned about, above its soles, and of the hips above that.
-const PIVOT: f64 = 0.92;
+pub(super) const PIVOT: f64 = 0.92;
 const HIPS_ABOVE_PIVOT: f64 = 0.04;
 /// Ragdolls in a stack at most.
 const HIGHEST_STACK: u64 = 20;
@@ -160,9 +159,8 @@ pub(super) fn build(count: u64, seed: u64) -> Scene {
     let inner = INNER * stacks as f64;
     let wall_height = LOWEST_SOLES + SPACING * layers as f64 + 2.0;
 
-    let mut scene = Scene::new("ragdolls");
+    let mut scene = in_open_box("ragdolls", [inner, inner], wall_height, seed);
     scene.drag = DRAG;
-    scene.bodies = open_box(inner, wall_height).into();
     let mut random = SplitMix64::new(seed);
     for ragdoll in 0..count {
         let (layer, stack) = (ragdoll / (stacks * stacks), ragdoll % (stacks * stacks));
@@ -173,13 +171,6 @@ pub(super) fn build(count: u64, seed: u64) -> Scene {
             middle(stack / stacks),
         );
         add_ragdoll(&mut scene, pivot, &mut random);
-    }
-    for (key, value) in [
-        ("inner_half_extents", json!([inner, inner])),
-        ("wall_height", json!(wall_height)),
-        ("seed", json!(seed)),
-    ] {
-        scene.meta.insert(key.to_owned(), value);
     }
     scene
 }
@@ -194,7 +185,7 @@ fn stacks_a_side(count: u64) -> u64 {
 /// A ragdoll at rest in itself, upright but for a random turn about the vertical (any), a
 /// tilt about x and z (±0.1 rad each) before it, and a velocity (±0.5 m/s a component),
 /// drawn in this order.
-fn add_ragdoll(scene: &mut Scene, pivot: DVec3, random: &mut SplitMix64) {
+pub(super) fn add_ragdoll(scene: &mut Scene, pivot: DVec3, random: &mut SplitMix64) {
     let turn = DQuat::from_rotation_y(random.between(0.0, 2.0 * PI));
     let tilt_x = random.between(-0.1, 0.1);
     let tilt_z = random.between(-0.1, 0.1);

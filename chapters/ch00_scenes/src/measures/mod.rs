@@ -24,7 +24,7 @@ pub use convex::convex_depth;
 pub use depth::{Placed, depth};
 pub use joints::joint_separation;
 pub use limits::{hinge_misalignment, limit_excess};
-pub use penetration::Penetration;
+pub use penetration::{Penetration, RelativePenetration};
 
 /// Everything that is measured of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]

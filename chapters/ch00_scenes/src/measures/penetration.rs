@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::broad::near_pairs;
 use super::depth::{Placed, depth};
-use crate::{Scene, State};
+use crate::{Scene, Shape, State};
 
 /// Overlaps of all pairs of bodies that may collide: not two static ones, and not those
 /// that a joint connects.
@@ -14,11 +14,26 @@ pub struct Penetration {
     pub deepest: f64,
     /// 99 of 100 overlapping pairs overlap by no more than this, m; 0 if none do.
     pub p99: f64,
+    /// The same overlaps as parts of what overlaps.
+    pub relative: RelativePenetration,
     /// Pairs that overlap.
     pub pairs_touching: usize,
     /// Pairs whose bounding boxes meet but whose depth is not known: those with a cylinder,
     /// unless a routine for them was given.
     pub pairs_not_measured: usize,
+}
+
+/// Overlaps of pairs, each divided by the radius of the smaller of the two: of balls the radius, of other
+/// solids that of the largest ball that fits into them. 1 mm is much for a marble and little for a
+/// boulder. All are 0 if nothing overlaps.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RelativePenetration {
+    /// Half of the overlapping pairs overlap by no more than this.
+    pub p50: f64,
+    /// 99 of 100 overlapping pairs overlap by no more than this.
+    pub p99: f64,
+    /// The largest.
+    pub deepest: f64,
 }
 
 impl Penetration {
@@ -49,7 +64,7 @@ impl Penetration {
             .map(|i| (i, Placed::new(scene, state, i)))
             .collect();
         let joined = joined_pairs(scene);
-        let mut depths = Vec::new();
+        let (mut depths, mut relative) = (Vec::new(), Vec::new());
         let mut not_measured = 0;
         near_pairs(&solids, |a, b| {
             let both_static = scene.bodies[a].is_static() && scene.bodies[b].is_static();
@@ -59,24 +74,59 @@ impl Penetration {
             let solid = |i| Placed::new(scene, state, i);
             let (a, b) = (solid(a), solid(b));
             match depth(&a, &b).or_else(|| others(&a, &b)) {
-                Some(depth) if depth > 0.0 => depths.push(depth),
+                Some(depth) if depth > 0.0 => {
+                    depths.push(depth);
+                    relative.push(depth / inner_radius(&a.shape).min(inner_radius(&b.shape)));
+                }
                 Some(_) => {}
                 None => not_measured += 1,
             }
         });
-        Self::from_depths(depths, not_measured)
+        Self {
+            pairs_not_measured: not_measured,
+            relative: RelativePenetration::of(relative),
+            ..Self::from_depths(depths)
+        }
     }
 
-    fn from_depths(mut depths: Vec<f64>, pairs_not_measured: usize) -> Self {
+    fn from_depths(mut depths: Vec<f64>) -> Self {
         depths.sort_by(f64::total_cmp);
-        // Nearest rank: the smallest depth that at least 99 % of the pairs don't exceed.
-        let rank = (depths.len() * 99).div_ceil(100);
         Self {
-            deepest: depths.last().copied().unwrap_or(0.0),
-            p99: rank.checked_sub(1).map_or(0.0, |last| depths[last]),
+            deepest: percentile(&depths, 100),
+            p99: percentile(&depths, 99),
             pairs_touching: depths.len(),
-            pairs_not_measured,
+            ..Self::default()
         }
+    }
+}
+
+impl RelativePenetration {
+    fn of(mut depths: Vec<f64>) -> Self {
+        depths.sort_by(f64::total_cmp);
+        Self {
+            p50: percentile(&depths, 50),
+            p99: percentile(&depths, 99),
+            deepest: percentile(&depths, 100),
+        }
+    }
+}
+
+/// The smallest of the sorted values that at least so many in a hundred don't exceed (nearest rank); 0
+/// of none.
+fn percentile(sorted: &[f64], in_a_hundred: usize) -> f64 {
+    let rank = (sorted.len() * in_a_hundred).div_ceil(100);
+    rank.checked_sub(1).map_or(0.0, |last| sorted[last])
+}
+
+/// Radius of the largest ball that fits into a solid, m.
+fn inner_radius(shape: &Shape) -> f64 {
+    match *shape {
+        Shape::Sphere { radius } | Shape::Capsule { radius, .. } => radius,
+        Shape::Box { half_extents } => half_extents.min_element(),
+        Shape::Cylinder {
+            radius,
+            half_height,
+        } => radius.min(half_height),
     }
 }
 
@@ -125,14 +175,59 @@ mod tests {
     #[test]
     fn the_99th_percentile_of_a_hundred_depths_leaves_out_the_deepest() {
         let depths = (1..=100).map(f64::from).rev().collect();
-        let found = Penetration::from_depths(depths, 0);
+        let found = Penetration::from_depths(depths);
         assert_eq!((found.p99, found.deepest), (99.0, 100.0));
     }
 
     #[test]
     fn the_99th_percentile_of_few_depths_is_the_deepest() {
-        let found = Penetration::from_depths(vec![2.0, 1.0], 0);
+        let found = Penetration::from_depths(vec![2.0, 1.0]);
         assert_eq!((found.p99, found.deepest), (2.0, 2.0));
+    }
+
+    #[test]
+    fn half_of_the_overlaps_are_no_deeper_than_the_50th_percentile() {
+        let found = RelativePenetration::of(vec![0.4, 0.1, 0.3, 0.2]);
+        assert_eq!((found.p50, found.p99, found.deepest), (0.2, 0.4, 0.4));
+        assert_eq!(RelativePenetration::of(vec![0.5]).p50, 0.5);
+    }
+
+    #[test]
+    fn an_overlap_is_divided_by_the_radius_of_the_smaller_ball() {
+        let mut scene = row_of_balls(&[-0.01, -0.02]);
+        // Shrunk about its centre, the last overlaps the middle one by 0.02 − 0.01.
+        scene.bodies[2].shape = Shape::Sphere { radius: 0.49 };
+        let found = start(&scene).relative;
+        let exact = [0.01 / 0.5, 0.01 / 0.49];
+        assert!((found.p50 - exact[0]).abs() < 1e-12, "{found:?}");
+        assert!((found.deepest - exact[1]).abs() < 1e-12, "{found:?}");
+    }
+
+    #[test]
+    fn a_solid_that_is_no_ball_counts_as_the_largest_ball_in_it() {
+        let half_extents = DVec3::new(2.0, 0.25, 3.0);
+        let (radius, half_height) = (0.4, 0.3);
+        let solids = [
+            (Shape::Sphere { radius }, 0.4),
+            (Shape::Box { half_extents }, 0.25),
+            (
+                Shape::Capsule {
+                    radius,
+                    half_height,
+                },
+                0.4,
+            ),
+            (
+                Shape::Cylinder {
+                    radius,
+                    half_height,
+                },
+                0.3,
+            ),
+        ];
+        for (shape, expected) in solids {
+            assert_eq!(inner_radius(&shape), expected, "{shape:?}");
+        }
     }
 
     #[test]

@@ -11,10 +11,11 @@ mod layers;
 mod marks;
 mod narrow;
 mod notes;
-mod painter;
+pub(crate) mod painter;
 mod plan;
 mod properties;
 mod setup;
+mod sheet;
 mod speed;
 mod still;
 mod style;
@@ -33,6 +34,7 @@ use crate::stage::Stage;
 use painter::Painter;
 use properties::Properties;
 
+pub use painter::Canvas;
 pub use still::Still;
 
 /// Width of the left panel at the start, points.
@@ -52,9 +54,14 @@ pub trait Section {
 
 /// The overlay's state between frames.
 pub struct Overlay {
-    context: egui::Context,
+    panels: Panels,
     input: egui_winit::State,
     painter: Painter,
+}
+
+/// What the overlay shows, without a window and without a device.
+pub struct Panels {
+    context: egui::Context,
     sections: Vec<Box<dyn Section>>,
     properties: Properties,
     theme: Option<Theme>,
@@ -65,7 +72,13 @@ pub struct Layout {
     output: egui::FullOutput,
     /// What is left for the scene.
     pub viewport: Viewport,
+    /// The same, points.
+    free: egui::Rect,
     background: egui::Color32,
+    /// Since the start, s.
+    time: f64,
+    /// Whether someone does something with the panels, or they move.
+    is_touched: bool,
 }
 
 impl Layout {
@@ -83,13 +96,12 @@ impl Layout {
 
 impl Overlay {
     /// For this window; pictures have this format.
-    pub fn new(gpu: &Gpu, window: &Window, format: wgpu::TextureFormat) -> Self {
-        let context = egui::Context::default();
+    pub fn new(gpu: &Gpu, window: &Window, format: wgpu::TextureFormat, panels: Panels) -> Self {
         let most = gpu.device.limits().max_texture_dimension_2d as usize;
         #[expect(clippy::cast_possible_truncation, reason = "a factor such as 1.5")]
         let scale = window.scale_factor() as f32;
         let input = egui_winit::State::new(
-            context.clone(),
+            panels.context.clone(),
             egui::ViewportId::ROOT,
             window,
             Some(scale),
@@ -97,9 +109,67 @@ impl Overlay {
             Some(most),
         );
         Self {
-            context,
+            panels,
             input,
             painter: Painter::new(gpu, format),
+        }
+    }
+
+    /// The panels as they are now, for another device.
+    pub fn into_panels(self) -> Panels {
+        // A context sends its letters to the device once, so that another device needs another one.
+        let context = egui::Context::default();
+        let memory = self.panels.context.memory(Clone::clone);
+        context.memory_mut(|new| *new = memory);
+        Panels {
+            context,
+            theme: None,
+            ..self.panels
+        }
+    }
+
+    /// Takes an event; whether it was meant for the overlay.
+    pub fn on_event(&mut self, window: &Window, event: &WindowEvent) -> bool {
+        let consumed = self.input.on_window_event(window, event).consumed;
+        match event {
+            // Keys are the overlay's only while someone types into it.
+            WindowEvent::KeyboardInput { .. } => self.panels.context.text_edit_focused(),
+            _ => consumed,
+        }
+    }
+
+    /// Lays the overlay out and lets it act on the stage.
+    pub fn lay_out(
+        &mut self,
+        window: &Window,
+        size: [u32; 2],
+        stage: &mut Stage,
+        guides: &Guides,
+    ) -> Layout {
+        let input = self.input.take_egui_input(window);
+        let mut layout = self.panels.lay_out(input, size, stage, guides);
+        let platform = std::mem::take(&mut layout.output.platform_output);
+        self.input.handle_platform_output(window, platform);
+        layout
+    }
+
+    /// Paints a layout over the picture.
+    pub fn paint(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        canvas: &Canvas,
+        layout: Layout,
+    ) {
+        let context = &self.panels.context;
+        self.painter.paint(gpu, encoder, canvas, context, layout);
+    }
+}
+
+impl Default for Panels {
+    fn default() -> Self {
+        Self {
+            context: egui::Context::default(),
             sections: vec![
                 Box::new(speed::Speed),
                 Box::new(setup::Setup),
@@ -115,66 +185,34 @@ impl Overlay {
             theme: None,
         }
     }
+}
 
-    /// Takes an event; whether it was meant for the overlay.
-    pub fn on_event(&mut self, window: &Window, event: &WindowEvent) -> bool {
-        let consumed = self.input.on_window_event(window, event).consumed;
-        match event {
-            // Keys are the overlay's only while someone types into it.
-            WindowEvent::KeyboardInput { .. } => self.context.text_edit_focused(),
-            _ => consumed,
-        }
-    }
-
-    /// Lays the overlay out and lets it act on the stage.
+impl Panels {
+    #[cfg(test)] pub fn bench_paint(&self, painter: &mut Painter, gpu:&Gpu, encoder: &mut wgpu::CommandEncoder, canvas: &Canvas, layout: Layout) { painter.paint(gpu, encoder, canvas, &self.context, layout); }
+    /// Lays the panels out and lets them act on the stage.
     pub fn lay_out(
         &mut self,
-        window: &Window,
+        input: egui::RawInput,
         size: [u32; 2],
         stage: &mut Stage,
         guides: &Guides,
     ) -> Layout {
-        if self.theme != Some(stage.theme) {
+        let has_new_theme = self.theme != Some(stage.theme);
+        if has_new_theme {
             self.theme = Some(stage.theme);
             style::apply(&self.context, stage.theme);
         }
-        let input = self.input.take_egui_input(window);
         let context = self.context.clone();
         let mut free = egui::Rect::ZERO;
-        let mut output = context.run_ui(input, |ui| free = self.show(ui, stage, guides));
-        let platform = std::mem::take(&mut output.platform_output);
-        self.input.handle_platform_output(window, platform);
+        let output = context.run_ui(input, |ui| free = self.show(ui, stage, guides));
         Layout {
             viewport: viewport(free, output.pixels_per_point, size),
+            free,
             background: context.global_style().visuals.panel_fill,
+            time: context.input(|input| input.time),
+            is_touched: has_new_theme || is_touched(&context, free, &output),
             output,
         }
-    }
-
-    /// Paints a layout over the picture.
-    pub fn paint(
-        &mut self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        picture: &wgpu::TextureView,
-        size: [u32; 2],
-        layout: Layout,
-    ) {
-        let output = layout.output;
-        let scale = output.pixels_per_point;
-        let triangles = self.context.tessellate(output.shapes, scale);
-        let screen = egui_wgpu::ScreenDescriptor {
-            size_in_pixels: size,
-            pixels_per_point: scale,
-        };
-        self.painter.paint(
-            gpu,
-            encoder,
-            picture,
-            &triangles,
-            output.textures_delta,
-            &screen,
-        );
     }
 
     /// All panels; gives the rectangle that they leave free, in points.
@@ -228,6 +266,19 @@ fn show_pair(ui: &mut egui::Ui, stage: &mut Stage, guides: &Guides) {
 fn background(color: egui::Color32) -> wgpu::Color {
     let [r, g, b, _] = color.to_array().map(|part| f64::from(part) / 255.0);
     wgpu::Color { r, g, b, a: 1.0 }
+}
+
+/// Whether someone does something with the panels beside the scene, or they move.
+fn is_touched(context: &egui::Context, scene: egui::Rect, output: &egui::FullOutput) -> bool {
+    let is_moving = output
+        .viewport_output
+        .values()
+        .any(|viewport| viewport.repaint_delay.is_zero());
+    let acts = |event: &egui::Event| match event {
+        egui::Event::PointerMoved(place) => !scene.contains(*place),
+        _ => true,
+    };
+    is_moving || context.input(|input| input.events.iter().any(acts))
 }
 
 /// How to get a hidden panel back.

@@ -1,8 +1,8 @@
 //! The overlay of a still picture: what the window shows besides its left panel, laid out without
 //! a window.
 
-use super::painter::Painter;
-use super::{narrow, notes, style, viewport};
+use super::painter::{Canvas, Painter};
+use super::{Layout, narrow, notes, style, viewport};
 use crate::Session;
 use crate::camera::{Camera, Viewport};
 use crate::gpu::Gpu;
@@ -15,7 +15,7 @@ pub struct Still {
     context: egui::Context,
     painter: Painter,
     size: [u32; 2],
-    output: egui::FullOutput,
+    layout: Option<Layout>,
 }
 
 impl Still {
@@ -27,7 +27,7 @@ impl Still {
             context,
             painter: Painter::new(gpu, format),
             size,
-            output: egui::FullOutput::default(),
+            layout: None,
         }
     }
 
@@ -60,26 +60,29 @@ impl Still {
             let painter = ui.painter_at(free);
             notes::paint(&painter, ui.visuals(), free, camera, guides);
         });
+        let viewport = viewport(free, 1.0, self.size);
+        let mut all = self
+            .layout
+            .take()
+            .map_or_else(egui::FullOutput::default, |layout| layout.output);
         // Textures of earlier lay-outs are still to be made.
-        self.output.append(output);
-        viewport(free, 1.0, self.size)
+        all.append(output);
+        self.layout = Some(Layout {
+            output: all,
+            viewport,
+            free,
+            background: self.context.global_style().visuals.panel_fill,
+            time: 0.0,
+            is_touched: true,
+        });
+        viewport
     }
 
     /// Paints what was laid out last over the picture.
-    pub fn paint(
-        &mut self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        picture: &wgpu::TextureView,
-    ) {
-        let output = std::mem::take(&mut self.output);
-        let triangles = self.context.tessellate(output.shapes, 1.0);
-        let screen = egui_wgpu::ScreenDescriptor {
-            size_in_pixels: self.size,
-            pixels_per_point: 1.0,
-        };
-        let textures = output.textures_delta;
-        self.painter
-            .paint(gpu, encoder, picture, &triangles, textures, &screen);
+    pub fn paint(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, canvas: &Canvas) {
+        if let Some(layout) = self.layout.take() {
+            self.painter
+                .paint(gpu, encoder, canvas, &self.context, layout);
+        }
     }
 }

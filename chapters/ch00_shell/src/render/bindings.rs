@@ -1,6 +1,6 @@
-//! What shaders see besides vertices, all in group 0: the frame's uniform, and in the
-//! scene's pass the shadow map. The shadow's own pass can't see the map that it draws, so
-//! there are two layouts.
+//! What shaders see besides vertices. In group 0 the frame's uniform, and in the
+//! scene's pass the shadow map; the shadow's own pass can't see the map that it draws, so
+//! there are two layouts. In group 1 the rows of the bodies.
 
 use super::frame::FrameUniform;
 use super::shadow::ShadowMap;
@@ -9,6 +9,7 @@ use super::shadow::ShadowMap;
 pub struct Layouts {
     shadow_bindings: wgpu::BindGroupLayout,
     scene_bindings: wgpu::BindGroupLayout,
+    row_bindings: wgpu::BindGroupLayout,
     /// For the pipeline of the shadow's pass.
     pub shadow: wgpu::PipelineLayout,
     /// For the pipelines of the scene's pass.
@@ -18,7 +19,7 @@ pub struct Layouts {
 impl Layouts {
     /// Makes them.
     pub fn new(device: &wgpu::Device) -> Self {
-        let [uniform, texture, sampler] = entries();
+        let [uniform, texture, sampler, rows] = entries();
         let bindings = |label, entries: &[_]| {
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                 label: Some(label),
@@ -27,10 +28,11 @@ impl Layouts {
         };
         let shadow_bindings = bindings("shadow", &[uniform]);
         let scene_bindings = bindings("scene", &[uniform, texture, sampler]);
+        let row_bindings = bindings("rows", &[rows]);
         let pipeline = |label, layout| {
             device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: Some(label),
-                bind_group_layouts: &[Some(layout)],
+                bind_group_layouts: &[Some(layout), Some(&row_bindings)],
                 immediate_size: 0,
             })
         };
@@ -39,23 +41,48 @@ impl Layouts {
             scene: pipeline("scene", &scene_bindings),
             shadow_bindings,
             scene_bindings,
+            row_bindings,
         }
+    }
+
+    /// Binds the first bytes of a buffer of rows.
+    pub fn bind_rows(
+        &self,
+        device: &wgpu::Device,
+        buffer: &wgpu::Buffer,
+        bytes: u64,
+    ) -> wgpu::BindGroup {
+        let rows = wgpu::BufferBinding {
+            buffer,
+            offset: 0,
+            size: wgpu::BufferSize::new(bytes),
+        };
+        device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("rows"),
+            layout: &self.row_bindings,
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: wgpu::BindingResource::Buffer(rows),
+            }],
+        })
     }
 }
 
-/// Uniform, shadow map, and the sampler that compares with it.
-fn entries() -> [wgpu::BindGroupLayoutEntry; 3] {
+/// Uniform, shadow map, the sampler that compares with it; and in their own group the rows.
+fn entries() -> [wgpu::BindGroupLayoutEntry; 4] {
     let entry = |binding, visibility, ty| wgpu::BindGroupLayoutEntry {
         binding,
         visibility,
         ty,
         count: None,
     };
-    let uniform = wgpu::BindingType::Buffer {
-        ty: wgpu::BufferBindingType::Uniform,
+    let buffer = |ty| wgpu::BindingType::Buffer {
+        ty,
         has_dynamic_offset: false,
         min_binding_size: None,
     };
+    let uniform = buffer(wgpu::BufferBindingType::Uniform);
+    let rows = buffer(wgpu::BufferBindingType::Storage { read_only: true });
     let depths = wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Depth,
         view_dimension: wgpu::TextureViewDimension::D2,
@@ -66,6 +93,7 @@ fn entries() -> [wgpu::BindGroupLayoutEntry; 3] {
         entry(0, wgpu::ShaderStages::VERTEX_FRAGMENT, uniform),
         entry(1, wgpu::ShaderStages::FRAGMENT, depths),
         entry(2, wgpu::ShaderStages::FRAGMENT, compare),
+        entry(0, wgpu::ShaderStages::VERTEX, rows),
     ]
 }
 

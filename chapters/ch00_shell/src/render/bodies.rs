@@ -1,9 +1,9 @@
 //! Bodies: one buffer of instances, and one draw call for each group of bodies of the same
 //! shape. Boxes, capsules and cylinders are meshes; balls are squares that their shader
-//! makes round.
+//! makes round. Where a body is, the shaders read from its row.
 
 use super::buffer::GrowingBuffer;
-use super::instances::{Group, Instance, Instances, Look};
+use super::looks::{Group, Kind, LOOK, Look, Looks};
 use super::meshes::{self, Mesh, Vertex};
 use super::pipeline::{PipelineMaker, Recipe};
 use super::shaders;
@@ -11,17 +11,12 @@ use super::shadow::ShadowMap;
 
 const VERTEX: [wgpu::VertexAttribute; 3] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32, 2 => Float32x3];
-const INSTANCE: [wgpu::VertexAttribute; 5] = wgpu::vertex_attr_array![
-    3 => Float32x3, 4 => Uint32, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4];
 
 /// The group of balls.
 const BALL: usize = 0;
 
 /// Corners of the square that shows a ball.
 const BALL_CORNERS: u32 = 4;
-
-/// Corners of the disc that casts a ball's shadow, as in its shader.
-const BALL_SHADOW_CORNERS: u32 = 20;
 
 /// How meshes and instances lie in their buffers.
 pub fn vertex_layouts() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
@@ -34,11 +29,7 @@ pub fn vertex_layouts() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
     };
     [
         layout(size_of::<Vertex>(), wgpu::VertexStepMode::Vertex, &VERTEX),
-        layout(
-            size_of::<Instance>(),
-            wgpu::VertexStepMode::Instance,
-            &INSTANCE,
-        ),
+        layout(size_of::<Look>(), wgpu::VertexStepMode::Instance, &LOOK),
     ]
 }
 
@@ -68,10 +59,11 @@ impl MeshBuffers {
 pub struct Bodies {
     /// Of box, capsule and cylinder.
     meshes: [MeshBuffers; 3],
-    instances: GrowingBuffer,
+    looks: GrowingBuffer,
     groups: Vec<Group>,
     moving: wgpu::RenderPipeline,
     resting: wgpu::RenderPipeline,
+    ball_depths: wgpu::RenderPipeline,
     balls: wgpu::RenderPipeline,
     glass: Glass,
 }
@@ -113,16 +105,30 @@ impl Bodies {
             entries: ["vs_ball", "fs_ball"],
             topology: wgpu::PrimitiveTopology::TriangleStrip,
             cull: None,
+            depth_compare: wgpu::CompareFunction::GreaterEqual,
+            hides: false,
             is_translucent: true,
             buffers: &mesh_layouts[1..],
             ..moving
         };
+        let ball_depths = Recipe {
+            entries: ["vs_ball", "fs_ball_depth"],
+            hides: true,
+            is_translucent: false,
+            is_seen: false,
+            ..balls
+        };
+        let glass_balls = Recipe {
+            entries: ["vs_ball", "fs_glass_ball"],
+            ..balls
+        };
         Self {
             meshes: meshes.map(|mesh| MeshBuffers::new(device, queue, &mesh)),
-            instances: GrowingBuffer::new(device, "instances", wgpu::BufferUsages::VERTEX),
+            looks: GrowingBuffer::new(device, "looks", wgpu::BufferUsages::VERTEX),
             groups: Vec::new(),
             moving: maker.make(&moving),
             resting: maker.make(&resting),
+            ball_depths: maker.make(&ball_depths),
             balls: maker.make(&balls),
             glass: Glass {
                 depths: maker.make(&Recipe {
@@ -131,9 +137,10 @@ impl Bodies {
                     ..moving
                 }),
                 ball_depths: maker.make(&Recipe {
-                    entries: ["vs_ball", "fs_glass_ball"],
+                    depth_compare: wgpu::CompareFunction::Greater,
+                    hides: true,
                     is_seen: false,
-                    ..balls
+                    ..glass_balls
                 }),
                 meshes: maker.make(&Recipe {
                     entries: ["vs_body", "fs_glass"],
@@ -143,27 +150,26 @@ impl Bodies {
                     ..moving
                 }),
                 balls: maker.make(&Recipe {
-                    entries: ["vs_ball", "fs_glass_ball"],
                     depth_compare: wgpu::CompareFunction::Equal,
-                    hides: false,
-                    ..balls
+                    ..glass_balls
                 }),
             },
         }
     }
 
-    /// Takes the bodies of a frame.
-    pub fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, instances: &Instances) {
-        self.instances.write(device, queue, &instances.all);
-        self.groups.clone_from(&instances.groups);
+    /// Takes other bodies, or others' looks.
+    pub fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, looks: &Looks) {
+        self.looks.write(device, queue, &looks.all);
+        self.groups.clone_from(&looks.groups);
     }
 
-    /// Draws all groups that aren't of glass into the shadow map.
-    pub fn draw_depths(&self, pass: &mut wgpu::RenderPass, shadow: &ShadowMap) {
-        for group in self.groups.iter().filter(|group| group.look != Look::Glass) {
+    /// Draws all groups that aren't of glass into the shadow map; a ball's shadow has so many
+    /// corners.
+    pub fn draw_shadows(&self, pass: &mut wgpu::RenderPass, shadow: &ShadowMap, corners: u32) {
+        for group in self.groups.iter().filter(|group| group.kind != Kind::Glass) {
             if group.shape == BALL {
                 pass.set_pipeline(&shadow.balls);
-                self.draw_balls(pass, group, BALL_SHADOW_CORNERS);
+                self.draw_balls(pass, group, corners);
             } else {
                 pass.set_pipeline(&shadow.bodies);
                 self.draw_meshes(pass, group);
@@ -174,27 +180,36 @@ impl Bodies {
     /// Draws all groups but the balls and what is of glass.
     pub fn draw_all_but_balls(&self, pass: &mut wgpu::RenderPass) {
         for group in self.groups.iter().filter(|group| group.shape != BALL) {
-            pass.set_pipeline(match group.look {
-                Look::Moving => &self.moving,
-                Look::Static => &self.resting,
-                Look::Glass => continue,
+            pass.set_pipeline(match group.kind {
+                Kind::Moving => &self.moving,
+                Kind::Static => &self.resting,
+                Kind::Glass => continue,
             });
             self.draw_meshes(pass, group);
         }
     }
 
+    /// Draws how deep the balls lie, so that nothing is coloured that they hide.
+    pub fn draw_ball_depths(&self, pass: &mut wgpu::RenderPass) {
+        self.draw_balls_with(pass, &self.ball_depths);
+    }
+
     /// Draws the balls over what is behind them.
     pub fn draw_balls_only(&self, pass: &mut wgpu::RenderPass) {
-        let is_solid_ball = |group: &&Group| group.shape == BALL && group.look != Look::Glass;
+        self.draw_balls_with(pass, &self.balls);
+    }
+
+    fn draw_balls_with(&self, pass: &mut wgpu::RenderPass, pipeline: &wgpu::RenderPipeline) {
+        let is_solid_ball = |group: &&Group| group.shape == BALL && group.kind != Kind::Glass;
         for group in self.groups.iter().filter(is_solid_ball) {
-            pass.set_pipeline(&self.balls);
+            pass.set_pipeline(pipeline);
             self.draw_balls(pass, group, BALL_CORNERS);
         }
     }
 
     /// Draws what is of glass over everything else; whether anything is.
     pub fn draw_glass(&self, pass: &mut wgpu::RenderPass) -> bool {
-        let glass = |group: &&Group| group.look == Look::Glass;
+        let glass = |group: &&Group| group.kind == Kind::Glass;
         for [balls, meshes] in [
             [&self.glass.ball_depths, &self.glass.depths],
             [&self.glass.balls, &self.glass.meshes],
@@ -209,18 +224,18 @@ impl Bodies {
                 }
             }
         }
-        self.groups.iter().any(|group| group.look == Look::Glass)
+        self.groups.iter().any(|group| group.kind == Kind::Glass)
     }
 
     fn draw_balls(&self, pass: &mut wgpu::RenderPass, group: &Group, corners: u32) {
-        pass.set_vertex_buffer(0, self.instances.slice());
+        pass.set_vertex_buffer(0, self.looks.slice());
         pass.draw(0..corners, group.range.clone());
     }
 
     fn draw_meshes(&self, pass: &mut wgpu::RenderPass, group: &Group) {
         let mesh = &self.meshes[group.shape - 1];
         pass.set_vertex_buffer(0, mesh.vertices.slice());
-        pass.set_vertex_buffer(1, self.instances.slice());
+        pass.set_vertex_buffer(1, self.looks.slice());
         pass.set_index_buffer(mesh.indices.slice(), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..mesh.index_count, 0, group.range.clone());
     }

@@ -37,6 +37,11 @@ impl GrowingBuffer {
         }
     }
 
+    /// The buffer, until the next write.
+    pub fn buffer(&self) -> &wgpu::Buffer {
+        &self.buffer
+    }
+
     /// All of it, to bind.
     pub fn slice(&self) -> wgpu::BufferSlice<'_> {
         self.buffer.slice(..)

@@ -3,9 +3,9 @@
 
 use glam::{Mat4, Vec3, Vec4, camera::rh};
 
+use super::Picture;
 use super::surroundings::Surroundings;
-use super::theme::Theme;
-use crate::camera::{Camera, Viewport};
+use crate::camera::Camera;
 
 /// Unit vector to the sun.
 #[must_use]
@@ -39,20 +39,19 @@ pub struct FrameUniform {
     sky_low_display: [f32; 4],
     ground_color: [f32; 4],
     grid_color: [f32; 4],
+    alpha: f32,
+    picked: u32,
+    ball_shadow_corners: u32,
+    spare: u32,
 }
 
 impl FrameUniform {
-    /// For a camera in a viewport; `line_scale` is pixels per point of the screen.
+    /// For a picture of a scene among these surroundings.
     #[must_use]
-    pub fn new(
-        camera: &Camera,
-        viewport: Viewport,
-        line_scale: f32,
-        surroundings: &Surroundings,
-        theme: Theme,
-        shadow_size: u32,
-    ) -> Self {
-        let colors = theme.colors();
+    pub fn new(picture: &Picture, surroundings: &Surroundings, shadow_size: u32) -> Self {
+        let (camera, viewport) = (picture.camera, picture.viewport);
+        let colors = picture.theme.colors();
+        let balls = picture.session.scene().bodies.len();
         let reach = shadow_reach(camera, surroundings);
         let opaque = |color: Vec3| color.extend(1.0).to_array();
         Self {
@@ -65,7 +64,7 @@ impl FrameUniform {
             focus: camera.target.to_array(),
             fade_radius: 2.2 * camera.distance,
             viewport: viewport.size.to_array(),
-            line_scale,
+            line_scale: picture.scale,
             ground_height: surroundings.ground_height,
             sun_light: colors.sun_light.to_array(),
             viewport_top: viewport.origin.y,
@@ -78,8 +77,20 @@ impl FrameUniform {
             sky_low_display: opaque(colors.sky_low_display),
             ground_color: opaque(colors.ground),
             grid_color: Vec4::from((colors.grid, colors.grid_strength)).to_array(),
+            alpha: picture.alpha as f32,
+            picked: picture.picked.map_or(NONE, |body| body as u32),
+            ball_shadow_corners: ball_shadow_corners(balls),
+            spare: 0,
         }
     }
+}
+
+/// No body has this index.
+const NONE: u32 = u32::MAX;
+
+/// Corners of the disc that casts a ball's shadow, in a scene of so many bodies: many are small.
+pub fn ball_shadow_corners(bodies: usize) -> u32 {
+    if bodies < 300 { 20 } else { 8 }
 }
 
 /// Distance between two lines of the grid when the camera is so far away, m: a power of ten
@@ -109,7 +120,7 @@ mod tests {
 
     #[test]
     fn the_layout_is_the_shaders() {
-        assert_eq!(size_of::<FrameUniform>(), 320);
+        assert_eq!(size_of::<FrameUniform>(), 336);
     }
 
     #[test]

@@ -28,27 +28,25 @@ pub struct Stroke {
 const STROKE: [wgpu::VertexAttribute; 4] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32, 2 => Float32x3, 3 => Unorm8x4];
 
-/// Strokes and the two pipelines that draw them.
-pub struct Lines {
-    strokes: GrowingBuffer,
-    count: u32,
+/// The two pipelines that draw lines: where nothing hides them, and faintly elsewhere.
+pub struct LinePipelines {
     full: wgpu::RenderPipeline,
     hidden: wgpu::RenderPipeline,
 }
 
-impl Lines {
-    /// Without lines.
-    pub fn new(maker: &PipelineMaker) -> Self {
-        let layout = wgpu::VertexBufferLayout {
-            array_stride: size_of::<Stroke>() as u64,
-            step_mode: wgpu::VertexStepMode::Instance,
-            attributes: &STROKE,
-        };
+impl LinePipelines {
+    /// For lines that lie so in their buffer and that this function of the shader places.
+    pub fn new(
+        maker: &PipelineMaker,
+        entry: &str,
+        layout: wgpu::VertexBufferLayout<'static>,
+    ) -> Self {
+        let buffers = [Some(layout)];
         let pipeline = |depth_compare, opacity| {
             maker.make(&Recipe {
                 shader: shaders::LINES,
-                entries: ["vs_line", "fs_line"],
-                buffers: &[Some(layout.clone())],
+                entries: [entry, "fs_line"],
+                buffers: &buffers,
                 topology: wgpu::PrimitiveTopology::TriangleStrip,
                 cull: None,
                 depth_compare,
@@ -59,10 +57,54 @@ impl Lines {
             })
         };
         Self {
-            strokes: GrowingBuffer::new(maker.device, "lines", wgpu::BufferUsages::VERTEX),
-            count: 0,
             full: pipeline(wgpu::CompareFunction::GreaterEqual, 1.0),
             hidden: pipeline(wgpu::CompareFunction::Less, THROUGH),
+        }
+    }
+
+    /// Draws so many lines faintly where something hides them.
+    pub fn draw_hidden(&self, pass: &mut wgpu::RenderPass, lines: &GrowingBuffer, count: u32) {
+        draw_with(pass, &self.hidden, lines, count);
+    }
+
+    /// Draws so many lines where nothing hides them.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, lines: &GrowingBuffer, count: u32) {
+        draw_with(pass, &self.full, lines, count);
+    }
+}
+
+fn draw_with(
+    pass: &mut wgpu::RenderPass,
+    pipeline: &wgpu::RenderPipeline,
+    lines: &GrowingBuffer,
+    count: u32,
+) {
+    if count > 0 {
+        pass.set_vertex_buffer(0, lines.slice());
+        pass.set_pipeline(pipeline);
+        pass.draw(0..4, 0..count);
+    }
+}
+
+/// Strokes and the pipelines that draw them.
+pub struct Lines {
+    strokes: GrowingBuffer,
+    count: u32,
+    pipelines: LinePipelines,
+}
+
+impl Lines {
+    /// Without lines.
+    pub fn new(maker: &PipelineMaker) -> Self {
+        let layout = wgpu::VertexBufferLayout {
+            array_stride: size_of::<Stroke>() as u64,
+            step_mode: wgpu::VertexStepMode::Instance,
+            attributes: &STROKE,
+        };
+        Self {
+            strokes: GrowingBuffer::new(maker.device, "lines", wgpu::BufferUsages::VERTEX),
+            count: 0,
+            pipelines: LinePipelines::new(maker, "vs_line", layout),
         }
     }
 
@@ -75,20 +117,12 @@ impl Lines {
 
     /// Draws them faintly where something hides them.
     pub fn draw_hidden(&self, pass: &mut wgpu::RenderPass) {
-        self.draw_with(pass, &self.hidden);
+        self.pipelines.draw_hidden(pass, &self.strokes, self.count);
     }
 
     /// Draws them where nothing hides them.
     pub fn draw(&self, pass: &mut wgpu::RenderPass) {
-        self.draw_with(pass, &self.full);
-    }
-
-    fn draw_with(&self, pass: &mut wgpu::RenderPass, pipeline: &wgpu::RenderPipeline) {
-        if self.count > 0 {
-            pass.set_vertex_buffer(0, self.strokes.slice());
-            pass.set_pipeline(pipeline);
-            pass.draw(0..4, 0..self.count);
-        }
+        self.pipelines.draw(pass, &self.strokes, self.count);
     }
 }
 

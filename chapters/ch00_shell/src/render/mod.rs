@@ -1,17 +1,22 @@
 //! The renderer: draws a session's bodies, lit and with shadows, onto any texture. The window
 //! and the screenshot use the same one. A frame is: write what has changed, draw depths as
 //! the sun sees them, draw bodies, scenery and drawings as the camera sees them.
+//!
+//! Where bodies are stands in rows on the device ([`crate::Drawn`]), and shaders interpolate between their
+//! last two places: for an engine that computes there, nothing is written but the frame's uniform.
 
 mod bindings;
 mod bodies;
 mod buffer;
 mod faces;
 mod frame;
-mod instances;
 pub mod lines;
+mod looks;
 mod meshes;
 mod pipeline;
 mod quality;
+mod rods;
+mod rows;
 mod scenery;
 pub mod shaders;
 mod shadow;
@@ -33,14 +38,18 @@ use crate::gpu::Gpu;
 use bindings::{Bindings, Layouts};
 use bodies::Bodies;
 use faces::Faces;
-use frame::FrameUniform;
-use instances::Instances;
+use frame::{FrameUniform, ball_shadow_corners};
 use lines::{Lines, Stroke};
+use looks::Looks;
 use pipeline::PipelineMaker;
+use rods::Rods;
+use rows::Rows;
 use scenery::Scenery;
 use shadow::ShadowMap;
 use targets::Targets;
 
+#[cfg(not(test))] fn off(_:&str)->bool {false}
+#[cfg(test)] use crate::bench_tmp::off;
 /// What to draw.
 pub struct Picture<'a> {
     /// The bodies.
@@ -67,21 +76,27 @@ pub struct Picture<'a> {
     pub strokes: &'a [Stroke],
     /// Faces of drawings.
     pub faces: &'a [Face],
+    /// Whether bodies are drawn where they were when their state came back last, as what is drawn with
+    /// them is.
+    pub is_as_read: bool,
 }
 
 /// Everything on the device that a picture needs.
 pub struct Renderer {
     quality: Quality,
     format: wgpu::TextureFormat,
+    layouts: Layouts,
     bindings: Bindings,
     shadow: ShadowMap,
     bodies: Bodies,
     scenery: Scenery,
     faces: Faces,
     lines: Lines,
+    rods: Rods,
     targets: Option<Targets>,
     surroundings: Surroundings,
-    instances: Instances,
+    looks: Looks,
+    rows: Rows,
     strokes: Vec<Stroke>,
 }
 
@@ -107,8 +122,10 @@ impl Renderer {
         let scenery = Scenery::new(&maker);
         let faces = Faces::new(&maker);
         let lines = Lines::new(&maker);
+        let rods = Rods::new(&maker);
         let mut renderer = Self {
             bindings: Bindings::new(device, &layouts, &shadow),
+            layouts,
             quality,
             format,
             shadow,
@@ -116,9 +133,11 @@ impl Renderer {
             scenery,
             faces,
             lines,
+            rods,
             targets: None,
             surroundings: surroundings.clone(),
-            instances: Instances::default(),
+            looks: Looks::default(),
+            rows: Rows::new(device),
             strokes: Vec::new(),
         };
         renderer.set_surroundings(gpu, surroundings);
@@ -131,10 +150,13 @@ impl Renderer {
         self.quality
     }
 
-    /// Takes over another scene's surroundings.
+    /// Takes over another scene's surroundings, or those that are left when a body was taken out.
     pub fn set_surroundings(&mut self, gpu: &Gpu, surroundings: Surroundings) {
         self.scenery.write(&gpu.device, &gpu.queue, &surroundings);
         self.surroundings = surroundings;
+        self.looks.forget();
+        self.rows.forget();
+        self.rods.forget();
     }
 
     /// Draws a picture of `size` pixels, neither of them 0, into `view`.
@@ -147,7 +169,7 @@ impl Renderer {
         picture: &Picture,
     ) {
         self.write(gpu, picture);
-        self.draw_shadow(encoder);
+        self.draw_shadow(encoder, picture);
         self.draw_scene(gpu, encoder, view, size, picture);
     }
 
@@ -155,17 +177,13 @@ impl Renderer {
     fn write(&mut self, gpu: &Gpu, picture: &Picture) {
         let (device, queue) = (&gpu.device, &gpu.queue);
         let colors = picture.theme.colors();
-        let uniform = FrameUniform::new(
-            picture.camera,
-            picture.viewport,
-            picture.scale,
-            &self.surroundings,
-            picture.theme,
-            self.quality.shadow_size,
-        );
+        let uniform = FrameUniform::new(picture, &self.surroundings, self.quality.shadow_size);
         self.bindings.write(queue, &uniform);
-        self.instances.fill(picture, &self.surroundings, &colors);
-        self.bodies.write(device, queue, &self.instances);
+        self.rows.follow(gpu, &self.layouts, picture);
+        if self.looks.follow(picture, &self.surroundings) {
+            self.bodies.write(device, queue, &self.looks);
+        }
+        self.rods.follow(device, queue, picture.session.scene());
         self.strokes.clear();
         let eye = picture.camera.position();
         self.strokes
@@ -175,10 +193,12 @@ impl Renderer {
         self.faces.write(device, queue, picture.faces, eye);
     }
 
-    fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder) {
+    fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder, picture: &Picture) {
         let mut pass = self.shadow.begin(encoder);
         pass.set_bind_group(0, &self.bindings.shadow, &[]);
-        self.bodies.draw_depths(&mut pass, &self.shadow);
+        self.rows.bind(&mut pass);
+        let corners = ball_shadow_corners(picture.session.scene().bodies.len());
+        if !off("shadow") {self.bodies.draw_shadows(&mut pass, &self.shadow, corners);}
     }
 
     fn draw_scene(
@@ -196,18 +216,23 @@ impl Renderer {
         let (origin, extent) = (picture.viewport.origin, picture.viewport.size);
         pass.set_viewport(origin.x, origin.y, extent.x, extent.y, 0.0, 1.0);
         pass.set_bind_group(0, &self.bindings.scene, &[]);
+        self.rows.bind(&mut pass);
+        if !off("balls") {self.bodies.draw_ball_depths(&mut pass);}
         self.bodies.draw_all_but_balls(&mut pass);
-        self.scenery.draw(&mut pass);
-        self.bodies.draw_balls_only(&mut pass);
+        if !off("scenery") {self.scenery.draw(&mut pass);}
+        if !off("balls") {self.bodies.draw_balls_only(&mut pass);}
         self.faces.draw_hidden(&mut pass);
         self.lines.draw_hidden(&mut pass);
+        self.rods.draw_hidden(&mut pass);
         self.faces.draw_solid(&mut pass);
         self.faces.draw_translucent(&mut pass);
         self.lines.draw(&mut pass);
+        self.rods.draw(&mut pass);
         if self.bodies.draw_glass(&mut pass) {
             // Once more, for what is before the glass.
             self.faces.draw_solid(&mut pass);
             self.lines.draw(&mut pass);
+            self.rods.draw(&mut pass);
         }
         drop(pass);
         self.targets = Some(targets);

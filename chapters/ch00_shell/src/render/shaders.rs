@@ -3,6 +3,7 @@
 
 const ROTATION: &str = include_str!("../../../../shaders/common/rotation.wgsl");
 const FRAME: &str = include_str!("../../../../shaders/ch00_frame.wgsl");
+const DRAWN: &str = include_str!("../../../../shaders/ch00_drawn.wgsl");
 const LIGHT: &str = include_str!("../../../../shaders/ch00_light.wgsl");
 
 /// A shader: a name and the files that make it, in order.
@@ -38,11 +39,11 @@ macro_rules! shader {
 }
 
 /// Balls.
-pub const BALLS: Shader = shader!("ch00_balls.wgsl", needs ROTATION, FRAME, LIGHT);
+pub const BALLS: Shader = shader!("ch00_balls.wgsl", needs ROTATION, FRAME, DRAWN, LIGHT);
 /// Boxes, capsules and cylinders.
-pub const BODIES: Shader = shader!("ch00_bodies.wgsl", needs ROTATION, FRAME, LIGHT);
+pub const BODIES: Shader = shader!("ch00_bodies.wgsl", needs ROTATION, FRAME, DRAWN, LIGHT);
 /// Depths as the sun sees them.
-pub const SHADOW: Shader = shader!("ch00_shadow.wgsl", needs ROTATION, FRAME);
+pub const SHADOW: Shader = shader!("ch00_shadow.wgsl", needs ROTATION, FRAME, DRAWN);
 /// Background.
 pub const SKY: Shader = shader!("ch00_sky.wgsl", needs FRAME);
 /// Ground with its grid.
@@ -52,4 +53,4 @@ pub const WALLS: Shader = shader!("ch00_walls.wgsl", needs FRAME);
 /// Faces of drawings.
 pub const FACES: Shader = shader!("ch00_faces.wgsl", needs FRAME);
 /// Lines.
-pub const LINES: Shader = shader!("ch00_lines.wgsl", needs FRAME);
+pub const LINES: Shader = shader!("ch00_lines.wgsl", needs ROTATION, FRAME, DRAWN);

@@ -19,7 +19,7 @@ pub struct ShadowMap {
 }
 
 impl ShadowMap {
-    /// `layout` binds the frame's uniform alone.
+    /// `layout` binds the frame's uniform and the rows of the bodies.
     pub fn new(device: &wgpu::Device, layout: &wgpu::PipelineLayout, quality: &Quality) -> Self {
         let texture = device.create_texture(&wgpu::TextureDescriptor {
             label: Some("shadow map"),

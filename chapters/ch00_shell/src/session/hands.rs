@@ -13,6 +13,7 @@ impl Session {
     /// # Errors
     /// [`LoadError`] where the engine can't; the session then goes on without it.
     pub fn add_body(&mut self, body: Body) -> Result<usize, LoadError> {
+        self.catch_up();
         let index = self.engine.add_body(&body, self.scene.dt as f32)?;
         let before = self.sums();
         self.scene.bodies.push(body);
@@ -27,6 +28,7 @@ impl Session {
     /// [`RemoveError`] where something holds the body or the engine can't; nothing has changed then.
     pub fn remove_body(&mut self, body: usize) -> Result<(), RemoveError> {
         self.scene.check_removal(body)?;
+        self.catch_up();
         let before = self.sums();
         self.engine.remove_body(body)?;
         self.scene.remove_body(body)?;
@@ -47,6 +49,7 @@ impl Session {
                 what: format!("{odd} is no finite number"),
             });
         }
+        self.catch_up();
         let before = self.sums();
         let old = self.engine.edit(edit)?;
         self.accept(&before);
@@ -55,7 +58,10 @@ impl Session {
 
     /// Pulls a body from now on, or lets go.
     pub fn pull(&mut self, pull: Option<Pull>) {
-        self.pulled = pull.is_some();
+        self.pulled_until = match pull {
+            Some(_) => u64::MAX,
+            None => self.pulled_until.min(self.steps),
+        };
         self.engine.pull(pull);
     }
 

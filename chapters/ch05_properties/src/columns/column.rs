@@ -174,6 +174,9 @@ pub trait AnyColumn {
     /// Its memory.
     fn memory(&self) -> &[u8];
 
+    /// The same, to be changed.
+    fn memory_mut(&mut self) -> &mut [u8];
+
     /// A value; None where there is none.
     fn cell(&self, row: usize) -> Option<Cell>;
 
@@ -213,6 +216,10 @@ impl<T: Value> AnyColumn for Column<T> {
 
     fn memory(&self) -> &[u8] {
         self.bytes()
+    }
+
+    fn memory_mut(&mut self) -> &mut [u8] {
+        bytemuck::cast_slice_mut(&mut self.values)
     }
 
     fn cell(&self, row: usize) -> Option<Cell> {

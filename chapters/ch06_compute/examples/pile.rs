@@ -1,0 +1,307 @@
+//! How long a step of a settled heap takes, and how good the heap is: a line of CSV for each size.
+//!
+//! `cargo run --release -p ch06_compute --no-default-features --example pile -- [--engine NAME]
+//! [--scene NAME] [--counts N,N,…] [--settle STEPS] [--steps STEPS] [--substeps N] [--csv FILE]`
+//!
+//! A scene is loaded, makes its settling steps, and then the timed ones in five batches, of which the
+//! median, the fastest and the slowest are told, ms a step. Nothing is read back before a batch is done.
+//! What is left lying is measured from scene and state alone. Lines go to the standard output and, with
+//! `--csv`, into a file.
+
+use std::fs::File;
+use std::io::Write as _;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use ch00_scenes::measures::Measures;
+use ch00_scenes::{Engine, EngineEntry, Scene, Settings, State};
+use ch01_hierarchy::styles::report::processor;
+
+/// What `--engine` can name, the default first.
+const ENGINES: &[EngineEntry] = &[ch06_compute::LANES, ch05_properties::ENGINE];
+
+/// Of the timed steps.
+const BATCHES: u32 = 5;
+
+type Problem = Box<dyn std::error::Error>;
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("{problem}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Problem> {
+    let options = Options::of(std::env::args().skip(1))?;
+    let mut file = options.csv.as_ref().map(File::create).transpose()?;
+    let mut say = |line: &str| -> Result<(), Problem> {
+        println!("{line}");
+        if let Some(file) = &mut file {
+            writeln!(file, "{line}")?;
+            file.flush()?;
+        }
+        Ok(())
+    };
+    say(&Line::names())?;
+    for count in &options.counts {
+        say(&measured(&options, *count)?.values())?;
+    }
+    Ok(())
+}
+
+// What the command line says.
+
+struct Options {
+    engine: EngineEntry,
+    scene: String,
+    /// The scene's own count where there is none.
+    counts: Vec<Option<u64>>,
+    settle: u32,
+    steps: u32,
+    settings: Settings,
+    csv: Option<String>,
+}
+
+impl Options {
+    fn of(mut words: impl Iterator<Item = String>) -> Result<Self, Problem> {
+        let mut options = Self {
+            engine: ENGINES[0],
+            scene: "pile".to_owned(),
+            counts: vec![None],
+            settle: 600,
+            steps: 200,
+            settings: Settings::defaults(),
+            csv: None,
+        };
+        while let Some(flag) = words.next() {
+            let Some(value) = words.next() else {
+                return Err(format!("`{flag}` has no value").into());
+            };
+            options
+                .set(&flag, &value)
+                .map_err(|problem| format!("`{flag} {value}`: {problem}"))?;
+        }
+        Ok(options)
+    }
+
+    fn set(&mut self, flag: &str, value: &str) -> Result<(), Problem> {
+        match flag {
+            "--engine" => self.engine = engine_of(value)?,
+            "--scene" => value.clone_into(&mut self.scene),
+            "--counts" => {
+                let counts = value.split(',').map(|count| count.trim().parse().map(Some));
+                self.counts = counts.collect::<Result<_, _>>()?;
+            }
+            "--settle" => self.settle = value.parse()?,
+            "--steps" => self.steps = value.parse()?,
+            "--substeps" => self.settings.substeps = Some(value.parse()?),
+            "--csv" => self.csv = Some(value.to_owned()),
+            _ => return Err("there is no such flag".into()),
+        }
+        Ok(())
+    }
+}
+
+fn engine_of(name: &str) -> Result<EngineEntry, Problem> {
+    let found = ENGINES.iter().find(|engine| engine.name == name);
+    let known = || ENGINES.iter().map(|engine| engine.name).collect::<Vec<_>>();
+    let unknown = || format!("there are these engines: {}", known().join(", "));
+    Ok(*found.ok_or_else(unknown)?)
+}
+
+// A run.
+
+/// An engine that is timed.
+trait Timed {
+    fn engine(&self) -> &dyn Engine;
+
+    /// Makes some steps, and comes back when the last one is done.
+    fn steps(&mut self, dt: f32, count: u32);
+}
+
+/// An engine whose steps are done when they return.
+struct OneByOne(Box<dyn Engine>);
+
+impl Timed for OneByOne {
+    fn engine(&self) -> &dyn Engine {
+        self.0.as_ref()
+    }
+
+    fn steps(&mut self, dt: f32, count: u32) {
+        for _ in 0..count {
+            self.0.step(dt);
+        }
+    }
+}
+
+fn load(options: &Options, scene: &Scene) -> Result<Box<dyn Timed>, Problem> {
+    let engine = (options.engine.load)(scene, &options.settings)?;
+    Ok(Box::new(OneByOne(engine)))
+}
+
+fn measured(options: &Options, count: Option<u64>) -> Result<Line, Problem> {
+    let scene = Scene::open(&options.scene, count, None)?;
+    let dt = scene.dt as f32;
+    let start = Instant::now();
+    let mut timed = load(options, &scene)?;
+    let loading = start.elapsed();
+    let start = Instant::now();
+    timed.steps(dt, options.settle);
+    let settling = start.elapsed();
+    let each = (options.steps / BATCHES).max(1);
+    let mut batches = [Duration::ZERO; BATCHES as usize];
+    for batch in &mut batches {
+        let start = Instant::now();
+        timed.steps(dt, each);
+        *batch = start.elapsed() / each;
+    }
+    batches.sort_unstable();
+    let mut state = State::default();
+    timed.engine().read_state(&mut state);
+    Ok(Line {
+        count,
+        settle: options.settle,
+        steps: each * BATCHES,
+        loading,
+        settling,
+        batches,
+        measures: Measures::of(&scene, &state),
+        fastest: fastest(&state),
+        timed,
+        scene,
+    })
+}
+
+/// The largest speed, m/s.
+fn fastest(state: &State) -> f64 {
+    let speeds = state.linear_velocity.iter().map(|v| v.length());
+    speeds.fold(0.0, f64::max)
+}
+
+// A line of the table.
+
+struct Line {
+    scene: Scene,
+    count: Option<u64>,
+    settle: u32,
+    steps: u32,
+    loading: Duration,
+    settling: Duration,
+    /// Time of a step in each batch, the shortest first.
+    batches: [Duration; BATCHES as usize],
+    timed: Box<dyn Timed>,
+    measures: Measures,
+    fastest: f64,
+}
+
+/// The columns: name, with its unit, and value.
+const COLUMNS: &[(&str, fn(&Line) -> String)] = &[
+    ("scene", |line| line.scene.name.clone()),
+    ("count", |line| optional(line.count)),
+    ("bodies", |line| line.scene.bodies.len().to_string()),
+    ("joints", |line| line.scene.joints.len().to_string()),
+    ("engine", |line| {
+        line.timed.engine().info().engine.to_owned()
+    }),
+    ("method", |line| {
+        line.timed.engine().info().method.to_owned()
+    }),
+    ("device", |line| device(line.timed.engine())),
+    ("threads", |line| {
+        line.timed.engine().info().threads.to_string()
+    }),
+    ("substeps", |line| {
+        line.timed.engine().info().substeps.to_string()
+    }),
+    ("sweeps", |line| optional(line.timed.engine().info().sweeps)),
+    ("dt_s", |line| line.scene.dt.to_string()),
+    ("load_s", |line| seconds(line.loading)),
+    ("settle_steps", |line| line.settle.to_string()),
+    ("settle_s", |line| seconds(line.settling)),
+    ("timed_steps", |line| line.steps.to_string()),
+    ("ms_median", |line| ms(line.batches[BATCHES as usize / 2])),
+    ("ms_fastest", |line| ms(line.batches[0])),
+    ("ms_slowest", |line| ms(line.batches[BATCHES as usize - 1])),
+    ("pairs", |line| {
+        line.timed.engine().counters().pairs.to_string()
+    }),
+    ("contacts", |line| {
+        line.timed.engine().counters().contacts.to_string()
+    }),
+    ("overflow", |line| {
+        line.timed.engine().counters().overflow.to_string()
+    }),
+    ("kinetic_energy_j_a_body", |line| {
+        let bodies = line.scene.dynamic_count() as f64;
+        short(line.measures.conserved.kinetic_energy / bodies)
+    }),
+    ("fastest_m_s", |line| short(line.fastest)),
+    ("escaped", |line| optional(line.measures.escaped)),
+    ("not_finite", |line| line.measures.not_finite.to_string()),
+    ("touching", |line| {
+        line.measures.penetration.pairs_touching.to_string()
+    }),
+    ("not_measured", |line| {
+        line.measures.penetration.pairs_not_measured.to_string()
+    }),
+    ("p50_of_r", |line| {
+        short(line.measures.penetration.relative.p50)
+    }),
+    ("p99_of_r", |line| {
+        short(line.measures.penetration.relative.p99)
+    }),
+    ("max_of_r", |line| {
+        short(line.measures.penetration.relative.deepest)
+    }),
+    ("p99_m", |line| short(line.measures.penetration.p99)),
+    ("max_m", |line| short(line.measures.penetration.deepest)),
+    ("separation_m", |line| {
+        optional(line.measures.joint_separation.map(short))
+    }),
+    ("limit_excess_rad", |line| {
+        optional(line.measures.limit_excess.map(short))
+    }),
+];
+
+impl Line {
+    fn names() -> String {
+        let names: Vec<_> = COLUMNS.iter().map(|(name, _)| *name).collect();
+        names.join(",")
+    }
+
+    fn values(&self) -> String {
+        let values: Vec<_> = COLUMNS.iter().map(|(_, value)| value(self)).collect();
+        values.join(",")
+    }
+}
+
+/// The name of what it runs on, without the commas that separate columns.
+fn device(engine: &dyn Engine) -> String {
+    let name = engine.info().device;
+    let name = if name == "cpu" {
+        processor().unwrap_or(name)
+    } else {
+        name
+    };
+    name.replace(',', ";")
+}
+
+fn optional(value: Option<impl ToString>) -> String {
+    value.map_or_else(String::new, |value| value.to_string())
+}
+
+fn short(value: f64) -> String {
+    format!("{value:.3e}")
+}
+
+fn seconds(time: Duration) -> String {
+    format!("{:.3}", time.as_secs_f64())
+}
+
+fn ms(time: Duration) -> String {
+    format!("{:.4}", 1e3 * time.as_secs_f64())
+}

@@ -1,0 +1,163 @@
+//! The bodies of a scene as rows, for both engines of this chapter.
+
+use ch00_maths::f32::rotation;
+use ch00_scenes::{Body, Scene, Shape, State};
+use ch05_properties::data::shape_columns;
+use glam::{DQuat, DVec3, Quat, Vec3};
+
+use crate::rows::{Held, Material, Motion, Place, Push, Solid, Spin};
+
+/// All rows of all bodies: a column a kind of row, in the order of the scene.
+#[derive(Clone, Debug, Default)]
+pub struct Bodies {
+    /// Where they are.
+    pub place: Vec<Place>,
+    /// Body to world.
+    pub attitude: Vec<Quat>,
+    /// How they move.
+    pub motion: Vec<Motion>,
+    /// How they turn.
+    pub spin: Vec<Spin>,
+    /// What they are made of.
+    pub solid: Vec<Solid>,
+    /// Their surfaces.
+    pub material: Vec<Material>,
+    /// What holds them.
+    pub held: Vec<Held>,
+    /// What pushes them out of others.
+    pub push: Vec<Push>,
+}
+
+impl Bodies {
+    /// The bodies of a scene at its start.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let mut bodies = Self::default();
+        for body in &scene.bodies {
+            bodies.push(body);
+        }
+        bodies
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.place.len()
+    }
+
+    /// Adds a body.
+    pub fn push(&mut self, body: &Body) {
+        let id = self.rows() as u32;
+        let solid = solid_of(body, id);
+        self.place.push(Place {
+            position: body.position.as_vec3(),
+            reach: body.shape.single().bounding_radius(),
+        });
+        self.attitude.push(body.orientation.as_quat().normalize());
+        self.motion.push(Motion {
+            velocity: body.linear_velocity.as_vec3(),
+            shares: 1.0,
+        });
+        self.spin.push(Spin {
+            angular_velocity: body.angular_velocity.as_vec3(),
+            inverse_mass: if body.is_static() {
+                0.0
+            } else {
+                (1.0 / body.mass) as f32
+            },
+        });
+        self.solid.push(solid);
+        self.material.push(Material {
+            restitution: body.restitution as f32,
+            friction: body.friction as f32,
+            static_friction: body.static_friction() as f32,
+            spare: 0.0,
+        });
+        self.held.push(Held::default());
+        self.push.push(Push::default());
+    }
+
+    /// Removes a body; those after it move up.
+    pub fn remove(&mut self, row: usize) {
+        self.place.remove(row);
+        self.attitude.remove(row);
+        self.motion.remove(row);
+        self.spin.remove(row);
+        self.solid.remove(row);
+        self.material.remove(row);
+        self.held.remove(row);
+        self.push.remove(row);
+        for (id, solid) in self.solid.iter_mut().enumerate() {
+            solid.id = id as u32;
+        }
+    }
+
+    /// Where they are and how they move, in f64.
+    pub fn read(&self, state: &mut State) {
+        state.clear();
+        for row in 0..self.rows() {
+            state.push(
+                self.place[row].position.as_dvec3(),
+                self.attitude[row].as_dquat().normalize(),
+                self.motion[row].velocity.as_dvec3(),
+                self.spin[row].angular_velocity.as_dvec3(),
+            );
+        }
+    }
+
+    /// Takes over where they are and how they move; what held them is forgotten.
+    pub fn write(&mut self, state: &State) {
+        for row in 0..self.rows().min(state.len()) {
+            self.set_pose(row, state.position[row], state.orientation[row]);
+            self.motion[row].velocity = state.linear_velocity[row].as_vec3();
+            self.spin[row].angular_velocity = state.angular_velocity[row].as_vec3();
+            self.held[row] = Held::default();
+        }
+    }
+
+    fn set_pose(&mut self, row: usize, position: DVec3, orientation: DQuat) {
+        self.place[row].position = position.as_vec3();
+        self.attitude[row] = orientation.as_quat().normalize();
+    }
+
+    /// Whether nothing moves this body.
+    #[must_use]
+    pub fn is_static(&self, row: usize) -> bool {
+        self.spin[row].inverse_mass == 0.0 && self.solid[row].inverse_inertia == Vec3::ZERO
+    }
+
+    /// World velocity of a point of a body, m/s.
+    #[must_use]
+    pub fn velocity_at(&self, row: usize, arm: Vec3) -> Vec3 {
+        self.motion[row].velocity + self.spin[row].angular_velocity.cross(arm)
+    }
+
+    /// I⁻¹ T in world axes.
+    #[must_use]
+    pub fn turned_by(&self, row: usize, turning: Vec3) -> Vec3 {
+        rotation::moment(self.attitude[row], self.solid[row].inverse_inertia, turning)
+    }
+}
+
+/// What a body is made of.
+fn solid_of(body: &Body, id: u32) -> Solid {
+    let shape = body.shape.single();
+    let (kind, size) = shape_columns(&shape);
+    let inverse_inertia = if body.is_static() {
+        Vec3::ZERO
+    } else {
+        body.shape.inertia(body.mass).recip().as_vec3()
+    };
+    Solid {
+        inverse_inertia,
+        kind,
+        size,
+        id,
+    }
+}
+
+/// Whether a shape is a ball.
+#[must_use]
+pub fn is_ball(shape: &Shape) -> bool {
+    matches!(shape, Shape::Sphere { .. })
+}

@@ -1,0 +1,47 @@
+//! What engine `lanes` does with a scene, in words.
+
+use std::fmt::Write as _;
+
+use ch00_scenes::Scene;
+
+use super::Lanes;
+use crate::rows::{Held, Impulse, Manifold, Material, Motion, Place, Press, Push, Solid, Spin};
+
+/// Passes, substeps, grid, and bytes a row.
+#[must_use]
+pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
+    let mut text = String::new();
+    let moving = scene.dynamic_count();
+    let _ = writeln!(
+        text,
+        "scene `{}` by own rows on the CPU, one thread: {moving} bodies that move, {} that don't, {} joints; {} substeps a step",
+        scene.name,
+        scene.bodies.len() - moving,
+        scene.joints.len(),
+        lanes.rules.substeps
+    );
+    if let Some(grid) = lanes.broad.grid() {
+        let [x, y, z] = grid.slots;
+        let _ = writeln!(
+            text,
+            "grid: cells of {:.3} m in {x} × {y} × {z} slots; {} bodies on the short list of large ones",
+            grid.edge,
+            lanes.broad.large().len()
+        );
+    }
+    let body = size_of::<Place>()
+        + size_of::<glam::Quat>()
+        + size_of::<Motion>()
+        + size_of::<Spin>()
+        + size_of::<Solid>()
+        + size_of::<Material>()
+        + size_of::<Held>()
+        + size_of::<Push>();
+    let pair = size_of::<Manifold>()
+        + size_of::<Material>()
+        + size_of::<Impulse>()
+        + 16
+        + size_of::<Press>();
+    let _ = writeln!(text, "{body} bytes a body, {pair} bytes a pair");
+    text
+}

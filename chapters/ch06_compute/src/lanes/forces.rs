@@ -1,0 +1,174 @@
+//! What pulls bodies beyond gravity: magnetic poles, the mouse's spring, and points about which tops
+//! turn.
+
+use ch00_maths::f32::force;
+use ch00_maths::f32::impulse::Velocity;
+use ch00_maths::f32::inertia::about_point;
+use ch00_scenes::{Force, Scene};
+use glam::Vec3;
+
+use crate::bodies::Bodies;
+use crate::own_row::body::Pull;
+
+/// All forces of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Forces {
+    poles: Vec<Pole>,
+    /// Bodies that turn about a point fixed in the world.
+    pub pivots: Vec<Pivot>,
+    /// The mouse, if it pulls.
+    pub mouse: Option<Spring>,
+    /// By body; empty where nothing pulls.
+    pub pulls: Vec<Pull>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Pole {
+    body: usize,
+    /// Which of the scene's forces it belongs to: poles feel those of their own.
+    force: usize,
+    place: Vec3,
+    strength: f32,
+    softening: f32,
+}
+
+/// A body that turns about a point fixed in the world. It has no inverse mass of its own; its inverse
+/// inertia is about the point.
+#[derive(Clone, Copy, Debug)]
+pub struct Pivot {
+    /// Row of the body.
+    pub body: usize,
+    /// The fixed point, world, m.
+    pub point: Vec3,
+    /// From it to the body's origin, in the body's axes, m.
+    pub arm: Vec3,
+    /// kg.
+    pub mass: f32,
+}
+
+/// A critically damped spring between a point of a body and the mouse.
+#[derive(Clone, Copy, Debug)]
+pub struct Spring {
+    /// Row of the body.
+    pub body: usize,
+    /// Where it is held, in its axes, m.
+    pub anchor: Vec3,
+    /// Where it is pulled to, world, m.
+    pub target: Vec3,
+    /// kg.
+    pub mass: f32,
+}
+
+impl Forces {
+    /// The forces of a scene; bodies on a fixed point get their inertia about it.
+    ///
+    /// # Errors
+    /// What is wrong with the arm of a fixed point, and its body.
+    pub fn of(scene: &Scene, bodies: &mut Bodies) -> Result<Self, (String, usize)> {
+        let mut forces = Self::default();
+        for (index, force) in scene.forces.iter().enumerate() {
+            match force {
+                Force::Magnets { poles, softening } => {
+                    forces.poles.extend(poles.iter().map(|pole| Pole {
+                        body: pole.body,
+                        force: index,
+                        place: pole.position.as_vec3(),
+                        strength: pole.strength as f32,
+                        softening: *softening as f32,
+                    }));
+                }
+                Force::FixedPoint { body, arm } => {
+                    let mass = scene.bodies[*body].mass as f32;
+                    let arm = arm.as_vec3();
+                    let solid = &mut bodies.solid[*body];
+                    let inertia = about_point(solid.inverse_inertia.recip(), mass, arm);
+                    let inertia = inertia.ok_or_else(|| {
+                        let what = format!("a fixed point {arm} off its body's axes");
+                        (what, *body)
+                    })?;
+                    solid.inverse_inertia = inertia.recip();
+                    bodies.spin[*body].inverse_mass = 0.0;
+                    let q = bodies.attitude[*body];
+                    let point = bodies.place[*body].position - q * arm;
+                    forces.pivots.push(Pivot {
+                        body: *body,
+                        point,
+                        arm,
+                        mass,
+                    });
+                }
+            }
+        }
+        Ok(forces)
+    }
+
+    /// A body that no force holds is gone, and those after it have moved up.
+    pub fn remove_body(&mut self, row: usize) {
+        let moved = |other: usize| if other > row { other - 1 } else { other };
+        for pole in &mut self.poles {
+            pole.body = moved(pole.body);
+        }
+        for pivot in &mut self.pivots {
+            pivot.body = moved(pivot.body);
+        }
+        self.mouse = self.mouse.filter(|spring| spring.body != row);
+        if let Some(spring) = &mut self.mouse {
+            spring.body = moved(spring.body);
+        }
+    }
+
+    /// Whether anything pulls that isn't gravity.
+    #[must_use]
+    pub fn any_pull(&self) -> bool {
+        !self.poles.is_empty() || self.mouse.is_some()
+    }
+
+    /// Sums what pulls each body where it is now.
+    pub fn gather(&mut self, bodies: &Bodies) {
+        self.pulls.clear();
+        if !self.any_pull() {
+            return;
+        }
+        self.pulls.resize(bodies.rows(), Pull::default());
+        for own in 0..self.poles.len() {
+            self.feel(own, bodies);
+        }
+        if let Some(spring) = self.mouse {
+            self.drag(&spring, bodies);
+        }
+    }
+
+    // ANCHOR: feel
+    /// What a pole feels of all others of its force that sit in other bodies.
+    fn feel(&mut self, own: usize, bodies: &Bodies) {
+        let pole = self.poles[own];
+        let arm = bodies.attitude[pole.body] * pole.place;
+        let here = bodies.place[pole.body].position + arm;
+        for other in &self.poles {
+            if other.force != pole.force || other.body == pole.body {
+                continue;
+            }
+            let there =
+                bodies.place[other.body].position + bodies.attitude[other.body] * other.place;
+            let strength = pole.strength * other.strength;
+            let pull = force::pole(here - there, strength, pole.softening);
+            let sum = &mut self.pulls[pole.body];
+            sum.acceleration += pull * bodies.spin[pole.body].inverse_mass;
+            sum.torque += arm.cross(pull);
+        }
+    }
+    // ANCHOR_END: feel
+
+    fn drag(&mut self, spring: &Spring, bodies: &Bodies) {
+        let row = spring.body;
+        let arm = bodies.attitude[row] * spring.anchor;
+        let stretch = spring.target - (bodies.place[row].position + arm);
+        let velocity = Velocity {
+            v: bodies.motion[row].velocity,
+            omega: bodies.spin[row].angular_velocity,
+        };
+        let (force, torque) = force::spring(spring.mass, arm, stretch, velocity);
+        self.pulls[row].acceleration += force * bodies.spin[row].inverse_mass;
+        self.pulls[row].torque += torque;
+    }
+}

@@ -1,0 +1,174 @@
+//! The pairs of a step: where they touch, and what they pressed in the last step.
+
+use glam::Vec4;
+
+use crate::bodies::Bodies;
+use crate::own_row::narrow::{Posed, manifold};
+use crate::rows::{Impulse, Manifold, Material, Press};
+use crate::rules::MARGIN;
+
+/// All pairs that touch or may touch in the step: a column a kind of row, in the order of their bodies.
+#[derive(Clone, Debug, Default)]
+pub struct Pairs {
+    /// Rows of the two bodies, the smaller first.
+    pub bodies: Vec<(usize, usize)>,
+    /// Where they touch.
+    pub manifold: Vec<Manifold>,
+    /// What becomes of them there.
+    pub material: Vec<Material>,
+    /// What they press and rub.
+    pub impulse: Vec<Impulse>,
+    /// How fast each point came this step, m/s, negative; 0 where it didn't.
+    pub approach: Vec<Vec4>,
+    /// What their bodies gather.
+    pub press: Vec<Press>,
+    /// By body: where its pairs begin in `of_body`; one more at the end.
+    pub starts: Vec<u32>,
+    /// The pairs of each body, in the order of the other body's ID.
+    pub of_body: Vec<u32>,
+}
+
+impl Pairs {
+    /// The pairs of a body.
+    #[must_use]
+    pub fn of(&self, row: usize) -> &[u32] {
+        let (first, end) = (self.starts[row], self.starts[row + 1]);
+        &self.of_body[first as usize..end as usize]
+    }
+
+    /// A body is gone, its pairs with it, and those after it have moved up.
+    pub fn remove_body(&mut self, row: usize) {
+        let moved = |other: usize| if other > row { other - 1 } else { other };
+        let kept = |&pair: &usize| self.bodies[pair].0 != row && self.bodies[pair].1 != row;
+        let kept: Vec<usize> = (0..self.bodies.len()).filter(kept).collect();
+        self.manifold = kept.iter().map(|&pair| self.manifold[pair]).collect();
+        self.material = kept.iter().map(|&pair| self.material[pair]).collect();
+        self.impulse = kept.iter().map(|&pair| self.impulse[pair]).collect();
+        self.approach = kept.iter().map(|&pair| self.approach[pair]).collect();
+        let bodies = kept.iter().map(|&pair| self.bodies[pair]);
+        self.bodies = bodies.map(|(a, b)| (moved(a), moved(b))).collect();
+        list(self.starts.len().saturating_sub(2), self);
+    }
+
+    fn clear(&mut self) {
+        self.bodies.clear();
+        self.manifold.clear();
+        self.material.clear();
+        self.impulse.clear();
+        self.approach.clear();
+    }
+}
+
+// ANCHOR: meet
+/// Narrow phase: where each pair touches or may touch; impulses of the last step go on where the same
+/// features still touch.
+pub fn meet(found: &[(usize, usize)], bodies: &Bodies, dt: f32, last: &Pairs, pairs: &mut Pairs) {
+    pairs.clear();
+    let mut old = 0;
+    for &(a, b) in found {
+        let m = manifold(
+            &posed(bodies, a),
+            &posed(bodies, b),
+            margin(bodies, a, b, dt),
+        );
+        if m.points == 0 {
+            continue;
+        }
+        while old < last.bodies.len() && last.bodies[old] < (a, b) {
+            old += 1;
+        }
+        let known = last.bodies.get(old) == Some(&(a, b));
+        pairs.impulse.push(if known {
+            carry(&last.manifold[old], &last.impulse[old], &m)
+        } else {
+            Impulse::default()
+        });
+        pairs.bodies.push((a, b));
+        pairs.manifold.push(m);
+        pairs
+            .material
+            .push(between(&bodies.material[a], &bodies.material[b]));
+        pairs.approach.push(Vec4::ZERO);
+    }
+    list(bodies.rows(), pairs);
+}
+// ANCHOR_END: meet
+
+/// A body as the narrow phase sees it.
+fn posed(bodies: &Bodies, row: usize) -> Posed {
+    Posed {
+        position: bodies.place[row].position,
+        attitude: bodies.attitude[row],
+        kind: bodies.solid[row].kind,
+        size: bodies.solid[row].size,
+    }
+}
+
+/// How far apart two bodies may be and still be a pair: what they may come nearer in the step, m.
+fn margin(bodies: &Bodies, a: usize, b: usize, dt: f32) -> f32 {
+    let speed = (bodies.motion[b].velocity - bodies.motion[a].velocity).length();
+    let tips = [a, b].map(|row| {
+        let turns = bodies.solid[row].kind != 0;
+        let rate = if turns {
+            bodies.spin[row].angular_velocity.length()
+        } else {
+            0.0
+        };
+        rate * bodies.place[row].reach
+    });
+    MARGIN + (speed + tips[0] + tips[1]) * dt
+}
+
+// ANCHOR: carry
+/// The impulses of the last step on the points of this one: those of the same feature.
+fn carry(old: &Manifold, impulse: &Impulse, new: &Manifold) -> Impulse {
+    let mut carried = Impulse::default();
+    for k in 0..new.points as usize {
+        for j in 0..old.points as usize {
+            if old.core_a[j].w.to_bits() == new.core_a[k].w.to_bits() {
+                carried.normal[k] = impulse.normal[j];
+                carried.friction = impulse.friction;
+                carried.twist = impulse.twist;
+            }
+        }
+    }
+    carried
+}
+// ANCHOR_END: carry
+
+/// The material of a pair.
+#[must_use]
+pub fn between(a: &Material, b: &Material) -> Material {
+    Material {
+        restitution: 0.5 * (a.restitution + b.restitution),
+        friction: (a.friction * b.friction).sqrt(),
+        static_friction: (a.static_friction * b.static_friction).sqrt(),
+        spare: 0.0,
+    }
+}
+
+/// Lists the pairs of each body. They come in the order of a, then b, so each list is in the order of
+/// the partner.
+fn list(rows: usize, pairs: &mut Pairs) {
+    pairs.press.clear();
+    pairs.press.resize(pairs.bodies.len(), Press::default());
+    pairs.starts.clear();
+    pairs.starts.resize(rows + 1, 0);
+    for &(a, b) in &pairs.bodies {
+        pairs.starts[a] += 1;
+        pairs.starts[b] += 1;
+    }
+    let mut sum = 0;
+    for start in &mut pairs.starts {
+        sum += std::mem::replace(start, sum);
+    }
+    let mut next = pairs.starts.clone();
+    pairs.of_body.clear();
+    pairs.of_body.resize(2 * pairs.bodies.len(), 0);
+    for (pair, &(a, b)) in pairs.bodies.iter().enumerate() {
+        for row in [a, b] {
+            pairs.of_body[next[row] as usize] = pair as u32;
+            next[row] += 1;
+        }
+    }
+}

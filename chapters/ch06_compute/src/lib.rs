@@ -1,0 +1,15 @@
+//! Chapter 6: compute shaders. The columns of chapter 5 on the GPU, a step in which every row writes
+//! only itself, and the same step on the CPU.
+
+pub mod bodies;
+pub mod compute;
+pub mod grid;
+pub mod lanes;
+pub mod own_row;
+pub mod round_trip;
+pub mod rows;
+pub mod rules;
+pub mod schema;
+pub mod stream;
+
+pub use lanes::ENGINE as LANES;

@@ -1,0 +1,59 @@
+//! Rows: what a kernel reads and writes at one index, laid out the same in Rust and in WGSL.
+//!
+//! A GPU fetches 16 bytes with one instruction, so properties that a kernel always reads together
+//! share a row of 16 bytes, or of a multiple. A row is stated once, below; the WGSL that the kernels
+//! are built with is generated from it, and a test compares every offset with the one that naga
+//! computes.
+
+mod balls;
+mod bodies;
+mod joints;
+mod layout;
+mod pairs;
+mod step;
+
+pub use balls::{Ball, GridOf, Mover, STATUS, Wall};
+pub use bodies::{Held, Material, Motion, Place, Push, Solid, Spin};
+pub use joints::{
+    CONE_TWIST, EMPTY, EULER, FREE, FREE_ANGLE, HINGE, Limit, NONE, Node, PIN, ROD, TWO_RODS,
+    Turned,
+};
+pub(crate) use layout::rows;
+pub use layout::{FieldSpec, Row, WgslType, declaration};
+pub use pairs::{FIXED, Impulse, Manifold, Press, ROUND, WITH_A, WITH_B};
+pub use step::Step;
+
+/// The WGSL of all rows, in the order in which they can be read.
+#[must_use]
+pub fn wgsl() -> String {
+    [
+        declaration::<Place>(),
+        declaration::<Motion>(),
+        declaration::<Spin>(),
+        declaration::<Push>(),
+        declaration::<Held>(),
+        declaration::<Solid>(),
+        declaration::<Material>(),
+        declaration::<Manifold>(),
+        declaration::<Impulse>(),
+        declaration::<Press>(),
+        declaration::<Node>(),
+        declaration::<Limit>(),
+        declaration::<Turned>(),
+        declaration::<Step>(),
+        declaration::<Mover>(),
+        declaration::<Ball>(),
+        declaration::<Wall>(),
+        declaration::<GridOf>(),
+        status(),
+    ]
+    .join("\n")
+}
+
+/// The places of the numbers in `status`, as WGSL.
+fn status() -> String {
+    let places = STATUS.iter().enumerate();
+    places
+        .map(|(place, (name, about))| format!("// {about}\nconst {name}: u32 = {place}u;\n"))
+        .collect()
+}

@@ -1,0 +1,91 @@
+//! The constants of the own-row method, and what a scene and the user say about a run.
+
+use ch00_maths::f32::drag;
+use ch00_scenes::{LoadError, Scene, Settings};
+
+use crate::rows::Step;
+
+/// Two bodies are a pair when they are this near, m, beyond what they may move in the step.
+pub const MARGIN: f32 = 0.005;
+
+/// Depth that is left alone, m: who rests stays a little inside, or contacts would come and go.
+pub const SLOP: f32 = 0.0005;
+
+/// The share of the depth beyond the slop that a substep pushes out, measured in `pile`: with 0.2 the
+/// deepest of 1,000 balls stay five times as deep.
+pub const PUSH_SHARE: f32 = 0.9;
+
+/// The fastest push, m/s.
+pub const FASTEST_PUSH: f32 = 3.0;
+
+/// Slower approaches don't bounce, m/s, unless the scene says otherwise: chapter 3's threshold.
+pub const RESTITUTION_THRESHOLD: f32 = 0.5;
+
+/// Parts of a step unless the user says otherwise.
+pub const SUBSTEPS: u32 = 10;
+
+/// More than these cost more than any accuracy that f32 has left.
+pub const MOST_SUBSTEPS: u32 = 1000;
+
+/// The name of the method.
+pub const METHOD: &str = "own-row";
+
+/// What the scene and the user say about the steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rules {
+    /// World acceleration of every free body, m/s².
+    pub gravity: glam::Vec3,
+    /// Rate at which velocities decay, 1/s.
+    pub drag: f32,
+    /// m/s.
+    pub restitution_threshold: f32,
+    /// Parts of a step.
+    pub substeps: u32,
+}
+
+impl Rules {
+    /// # Errors
+    /// [`LoadError::Setting`] for sweeps, which this method has none of, and for no substeps.
+    pub fn of(scene: &Scene, settings: &Settings) -> Result<Self, LoadError> {
+        let refuse = |setting, value: u32, why: &str| LoadError::Setting {
+            method: METHOD,
+            setting,
+            value: value.to_string(),
+            why: why.to_owned(),
+        };
+        if let Some(sweeps) = settings.sweeps {
+            let why = "it has no sweeps over all contacts; accuracy comes from --substeps";
+            return Err(refuse("sweeps", sweeps, why));
+        }
+        let substeps = settings.substeps.unwrap_or(SUBSTEPS);
+        if substeps == 0 || substeps > MOST_SUBSTEPS {
+            let why = format!("a step has 1 to {MOST_SUBSTEPS} of them");
+            return Err(refuse("substeps", substeps, &why));
+        }
+        Ok(Self {
+            gravity: scene.gravity.as_vec3(),
+            drag: scene.drag as f32,
+            restitution_threshold: scene
+                .restitution_threshold
+                .map_or(RESTITUTION_THRESHOLD, |threshold| threshold as f32),
+            substeps,
+        })
+    }
+
+    /// The uniform of a step of `dt` seconds.
+    #[must_use]
+    pub fn step(&self, dt: f32, bodies: usize) -> Step {
+        let h = dt / self.substeps as f32;
+        Step {
+            gravity: self.gravity,
+            h,
+            drag: drag::kept(self.drag, h),
+            restitution_threshold: self.restitution_threshold,
+            slop: SLOP,
+            push_share: PUSH_SHARE,
+            fastest_push: FASTEST_PUSH,
+            bodies: bodies as u32,
+            ..Step::default()
+        }
+    }
+}
