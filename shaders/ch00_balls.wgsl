@@ -90,12 +90,26 @@ fn hit(square: Square, u: vec3f) -> vec3f {
     return u * (b - sqrt(max(r * r - s2, 0.0)));
 }
 
+fn depth_of(point: vec3f) -> f32 {
+    return frame.near / dot(point, frame.camera_forward);
+}
+
 // How deep the ball lies, where it covers the whole pixel.
 @fragment
 fn fs_ball_depth(square: Square) {
     if cover(square) < 1.0 {
         discard;
     }
+}
+
+// The same with the depth of the ball's surface, for what is drawn after the balls and may be inside
+// them, such as lines.
+@fragment
+fn fs_ball_surface(square: Square) -> @builtin(frag_depth) f32 {
+    if cover(square) < 1.0 {
+        discard;
+    }
+    return depth_of(hit(square, normalize(square.sight)));
 }
 
 @fragment
@@ -119,5 +133,5 @@ fn fs_glass_ball(square: Square) -> Pixel {
     if cover == 0.0 || is_too_close(point) {
         discard;
     }
-    return Pixel(vec4f(color.rgb, color.a * cover), frame.near / dot(point, frame.camera_forward));
+    return Pixel(vec4f(color.rgb, color.a * cover), depth_of(point));
 }

@@ -19,6 +19,7 @@ struct Drawn {
 
 @group(1) @binding(0) var<storage, read> drawn: array<Drawn>;
 
+// ANCHOR: drawn
 // Where a body is in this frame, between its last two places.
 fn drawn_position(body: u32) -> vec3f {
     return mix(drawn[body].position_last, drawn[body].position, frame.alpha);
@@ -31,6 +32,7 @@ fn drawn_orientation(body: u32) -> vec4f {
     let near = select(-now, now, dot(last, now) >= 0.0);
     return normalize(mix(last, near, frame.alpha));
 }
+// ANCHOR_END: drawn
 
 // 1 for the body that is picked.
 fn glow(body: u32) -> f32 {

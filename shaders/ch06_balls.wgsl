@@ -16,82 +16,130 @@
 @group(0) @binding(10) var<storage, read_write> places_next: array<Place>;
 @group(0) @binding(11) var<storage, read_write> movers_next: array<Mover>;
 @group(0) @binding(12) var<storage, read_write> attitudes: array<vec4f>;
-@group(0) @binding(13) var<storage, read_write> helds: array<Held>;
-@group(0) @binding(14) var<storage, read_write> status: array<atomic<u32>>;
+@group(0) @binding(13) var<storage, read> helds: array<Held>;
+@group(0) @binding(14) var<storage, read_write> helds_next: array<Held>;
+@group(0) @binding(15) var<storage, read_write> status: array<atomic<u32>>;
 
 // The plan: whether all surfaces are alike, whether any bounces, and whether it is the last substep.
 override ALIKE: bool = false;
 override BOUNCES: bool = true;
 override LAST: bool = false;
 
+// Invocations of a workgroup, and how many of them have a ball together.
+const GROUP: u32 = 64u;
+override TEAM: u32 = 1u;
+// As many as GROUP where there are teams, and 1 where there are none and nothing is to be added up.
+override SUMS: u32 = 1u;
+
 // What the contacts of a ball do to it.
 struct Gathered {
     linear: vec3f,
     angular: vec3f,
+    // Those of the impulses with which the next substep begins: all but impacts.
+    stays_linear: vec3f,
+    stays_angular: vec3f,
     push: vec3f,
     // How many touch or soon may, and how many share the mass in the next pass.
     touches: f32,
     counts: f32,
 }
 
+var<workgroup> sums: array<Gathered, SUMS>;
+
 // The other body of a contact.
 fn other_of(own: Place, neighbour: u32) -> Other {
     if (neighbour & WALL) != 0u {
         return other_wall(own, walls[neighbour & ~WALL]);
     }
-    var surface = balls[0];
-    if !ALIKE {
-        surface = balls[neighbour];
+    return other_ball(own, places[neighbour], movers[neighbour], surface_of(neighbour));
+}
+
+// Its surface: where all are alike, that of the first.
+fn surface_of(row: u32) -> Ball {
+    if ALIKE {
+        return balls[0];
     }
-    return other_ball(own, places[neighbour], movers[neighbour], surface);
+    return balls[row];
 }
 
 // ANCHOR: note_impact
+// How a ball moved before the substep's kick. Just after it what holds the ball may be out of balance,
+// and a light ball between heavy ones seems fast.
+fn velocity_before(velocity: vec3f, inverse_mass: f32, held: vec3f) -> vec3f {
+    let pulled = select(vec3f(0.0), step.h * step.gravity, inverse_mass > 0.0);
+    return velocity / step.drag - pulled - held * inverse_mass;
+}
+
 // The speed at the surface of what will touch in this substep, m/s, negative: u² = c² + 2 a s.
-fn impact(other: Other, speed: f32, inverse_mass: f32) -> f32 {
-    let closing = closing_pull(other, inverse_mass, step.gravity);
-    let before = max(-speed - closing * step.h, 0.0);
+fn impact(other: Other, neighbour: u32, mover: Mover, held: vec3f) -> f32 {
+    let own = velocity_before(mover.velocity, mover.inverse_mass, held);
+    var others = other.velocity;
+    if (neighbour & WALL) == 0u {
+        others = velocity_before(other.velocity, other.inverse_mass, helds[neighbour].linear);
+    }
+    let closing = closing_pull(other, mover.inverse_mass, step.gravity);
+    let before = max(-dot(others - own, other.normal), 0.0);
     return -sqrt(max(before * before + 2.0 * closing * max(other.distance, 0.0), 0.0));
 }
 // ANCHOR_END: note_impact
 
-// What friction gives of what it would take to hold.
-fn coulomb(held: vec3f, pressed: f32, surface: Ball, other: Other) -> vec3f {
-    let size = length(held);
-    if size <= sqrt(surface.static_friction * other.static_friction) * pressed {
-        return held;
-    }
-    return held * (sqrt(surface.friction * other.friction) * pressed / max(size, SMALL));
+// Whether a new contact is an impact rather than the beginning of rest: then its impulse is over with the
+// substep. Begun with again, it would be taken back only in part, and make energy.
+fn is_impact(given: vec3f, inverse_masses: f32) -> bool {
+    return length(given) * inverse_masses > step.impact_speed;
 }
 
 // ANCHOR: solve
-@compute @workgroup_size(WORKGROUP)
-fn solve(@builtin(global_invocation_id) id: vec3u) {
-    let row = row_index(id);
-    if row >= grid.rows {
-        return;
-    }
+// A team of invocations has a ball: the first of them its 1st, 5th, 9th contact, the second its 2nd, 6th
+// … Where there are few balls, a team is done sooner than one alone; where there are many, teams of one
+// do. What they gathered is summed in the order of the team.
+@compute @workgroup_size(GROUP)
+fn solve(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) own: u32) {
+    let row = (group_index(group) * GROUP + own) / TEAM;
+    let member = own % TEAM;
     // All that doesn't depend on anything is asked for at once: what waits for memory waits once.
-    let halted = atomicLoad(&status[HALTED]);
+    let needed = atomicLoad(&status[NEEDED]);
     let place = places[row];
     let mover = movers[row];
-    let surface = balls[row];
+    let held = helds[row];
+    let surface = surface_of(row);
     let count = neighbour_counts[row];
-    var next = neighbours[row];
-    if halted != 0u {
-        return;
-    }
+    var next = neighbours[member * grid.capacity + row];
+    let goes = row < grid.rows && needed <= grid.room;
     var sum: Gathered;
-    for (var k = 0u; k < count; k++) {
+    for (var k = member; goes && k < count; k += TEAM) {
         let slot = k * grid.capacity + row;
         let neighbour = next;
-        next = neighbours[min(k + 1u, grid.room - 1u) * grid.capacity + row];
-        solve_contact(slot, other_of(place, neighbour), place, mover, surface, &sum);
+        next = neighbours[min(k + TEAM, grid.room - 1u) * grid.capacity + row];
+        solve_contact(slot, neighbour, place, mover, held, surface, &sum);
     }
-    finish(row, place, mover, sum);
-    if LAST && row == 0u {
-        atomicAdd(&status[STEPS], 1u);
+    if TEAM > 1u {
+        sums[own] = sum;
+        workgroupBarrier();
+        if member == 0u {
+            for (var other = 1u; other < TEAM; other++) {
+                sum = total(sum, sums[own + other]);
+            }
+        }
     }
+    if goes && member == 0u {
+        finish(row, place, mover, held, sum);
+        if LAST && row == 0u {
+            atomicAdd(&status[STEPS], 1u);
+        }
+    }
+}
+
+fn total(one: Gathered, other: Gathered) -> Gathered {
+    return Gathered(
+        one.linear + other.linear,
+        one.angular + other.angular,
+        one.stays_linear + other.stays_linear,
+        one.stays_angular + other.stays_angular,
+        one.push + other.push,
+        one.touches + other.touches,
+        one.counts + other.counts,
+    );
 }
 // ANCHOR_END: solve
 
@@ -99,24 +147,25 @@ fn solve(@builtin(global_invocation_id) id: vec3u) {
 // Mends the impulse that the ball receives in a contact: friction in x, y, z, the normal impulse in w.
 fn solve_contact(
     slot: u32,
-    other: Other,
+    neighbour: u32,
     place: Place,
     mover: Mover,
+    held: Held,
     surface: Ball,
     sum: ptr<function, Gathered>,
 ) {
+    let other = other_of(place, neighbour);
     let arm = place.reach + 0.5 * other.distance;
     let shared_mass = mover.shares * mover.inverse_mass;
     let u = relative_velocity(other, mover.velocity, mover.angular_velocity, arm);
     let speed = dot(u, other.normal);
     let last = impulses[slot];
     let comes = other.distance + step.h * speed <= 0.0;
-    let soon = other.distance <= 0.0 || other.distance + 2.0 * step.h * speed <= 0.0;
-    if BOUNCES && comes {
-        let hit = impact(other, speed, mover.inverse_mass);
-        if hit < -step.restitution_threshold {
-            approaches[slot] = min(approaches[slot], hit);
-        }
+    var touches = other.distance <= 0.0 || other.distance + 2.0 * step.h * speed <= 0.0;
+    // What holds it for a moment only adds speed: what is slow even with it is no impact.
+    if BOUNCES && comes && speed < -0.5 * step.restitution_threshold {
+        let hit = impact(other, neighbour, mover, held.linear);
+        approaches[slot] = min(approaches[slot], hit);
     }
     var impulse = vec4f(0.0);
     if last.w > 0.0 || other.distance <= 0.0 || comes {
@@ -124,24 +173,33 @@ fn solve_contact(
         let room = max(other.distance, 0.0) / step.h;
         impulse.w = max(last.w - (speed + room) / reply, 0.0);
         let sliding = u - speed * other.normal;
-        let turning = mover.shares * arm * arm * inverse_moment(mover.inverse_mass, place.reach);
+        let spun = mover.shares * arm * arm * inverse_moment(mover.inverse_mass, place.reach);
         let across = last.xyz - dot(last.xyz, other.normal) * other.normal;
-        let held = across + sliding / (reply + turning + other.turning);
+        let held = across + sliding / (reply + spun + other.turning);
         let friction = coulomb(held, impulse.w, surface, other);
         impulse = vec4f(friction, impulse.w);
         let depth = -other.distance - step.slop;
         let push = min(step.push_share * max(depth, 0.0) / step.h, step.fastest_push) / reply;
-        (*sum).linear += friction - other.normal * impulse.w;
-        (*sum).angular += arm * cross(other.normal, friction);
+        let given = friction - other.normal * impulse.w;
+        let turning = arm * cross(other.normal, friction);
+        (*sum).linear += given;
+        (*sum).angular += turning;
         (*sum).push -= other.normal * push;
+        touches = touches || impulse.w > 0.0;
+        if last.w == 0.0 && is_impact(given, mover.inverse_mass + other.inverse_mass) {
+            impulse = vec4f(0.0);
+        } else {
+            (*sum).stays_linear += given;
+            (*sum).stays_angular += turning;
+        }
     }
     impulses[slot] = impulse;
-    var counts = soon || impulse.w > 0.0;
+    var counts = touches;
     if LAST {
         let e = 0.5 * (surface.restitution + other.restitution);
         counts = BOUNCES && e > 0.0 && approaches[slot] < -step.restitution_threshold;
     }
-    (*sum).touches += select(0.0, 1.0, soon || impulse.w > 0.0);
+    (*sum).touches += select(0.0, 1.0, touches);
     (*sum).counts += select(0.0, 1.0, counts);
 }
 // ANCHOR_END: solve_contact
@@ -149,8 +207,7 @@ fn solve_contact(
 // ANCHOR: finish
 // Puts what holds the ball now in the place of what it started with, and moves it. A ball that nothing
 // touches falls as far as it should: by the mean of its speeds before and after gravity's kick.
-fn finish(row: u32, place: Place, mover: Mover, sum: Gathered) {
-    let held = helds[row];
+fn finish(row: u32, place: Place, mover: Mover, held: Held, sum: Gathered) {
     let inverse_mass = mover.inverse_mass;
     let moment = inverse_moment(inverse_mass, place.reach);
     var velocity = mover.velocity + (sum.linear - held.linear) * inverse_mass;
@@ -160,12 +217,12 @@ fn finish(row: u32, place: Place, mover: Mover, sum: Gathered) {
     let moves = velocity + sum.push * inverse_mass - early;
     attitudes[row] = rotation_turned(attitudes[row], step.h * angular_velocity);
     if !LAST {
-        velocity = kicked_velocity(velocity, inverse_mass, sum.linear, step);
-        angular_velocity = (angular_velocity + sum.angular * moment) * step.drag;
+        velocity = kicked_velocity(velocity, inverse_mass, sum.stays_linear, step);
+        angular_velocity = (angular_velocity + sum.stays_angular * moment) * step.drag;
     }
     places_next[row] = Place(place.position + step.h * moves, place.reach);
     let shares = max(sum.counts, 1.0);
     movers_next[row] = Mover(velocity, shares, angular_velocity, inverse_mass);
-    helds[row] = Held(sum.linear, 0.0, sum.angular, 0.0);
+    helds_next[row] = Held(sum.stays_linear, 0.0, sum.stays_angular, 0.0);
 }
 // ANCHOR_END: finish

@@ -18,36 +18,47 @@
 @compute @workgroup_size(WORKGROUP)
 fn bounce(@builtin(global_invocation_id) id: vec3u) {
     let row = row_index(id);
-    if row >= grid.rows || atomicLoad(&status[HALTED]) != 0u {
+    if row >= grid.rows {
         return;
     }
-    var mover = movers[row];
-    var velocity = mover.velocity;
+    let needed = atomicLoad(&status[NEEDED]);
     let count = neighbour_counts[row];
+    let own = movers[row];
+    if needed > grid.room {
+        return;
+    }
+    var mover = own;
     for (var k = 0u; k < count; k++) {
         let slot = k * grid.capacity + row;
         let approach = approaches[slot];
         if approach < -step.restitution_threshold {
-            velocity -= added(row, neighbours[slot], approach) * mover.inverse_mass;
+            restore(&mover, own, row, neighbours[slot], approach);
         }
     }
-    mover.velocity = velocity;
     movers_next[row] = mover;
 }
 
-// What restitution adds along the normal of a contact, N s.
-fn added(row: u32, neighbour: u32, approach: f32) -> vec3f {
-    let own = places[row];
-    let mover = movers[row];
+// What restitution adds in a contact, and the friction that goes with it.
+fn restore(mover: ptr<function, Mover>, own: Mover, row: u32, neighbour: u32, approach: f32) {
+    let place = places[row];
+    let surface = balls[row];
     var other: Other;
     if (neighbour & WALL) != 0u {
-        other = other_wall(own, walls[neighbour & ~WALL]);
+        other = other_wall(place, walls[neighbour & ~WALL]);
     } else {
-        other = other_ball(own, places[neighbour], movers[neighbour], balls[neighbour]);
+        other = other_ball(place, places[neighbour], movers[neighbour], balls[neighbour]);
     }
-    let e = 0.5 * (balls[row].restitution + other.restitution);
-    let speed = dot(other.velocity - mover.velocity, other.normal);
-    let reply = mover.shares * mover.inverse_mass + other.shared_mass;
-    return other.normal * max((-e * approach - speed) / reply, 0.0);
+    let e = 0.5 * (surface.restitution + other.restitution);
+    let arm = place.reach + 0.5 * other.distance;
+    let moment = inverse_moment(own.inverse_mass, place.reach);
+    let u = relative_velocity(other, own.velocity, own.angular_velocity, arm);
+    let speed = dot(u, other.normal);
+    let reply = own.shares * own.inverse_mass + other.shared_mass;
+    let pressed = max((-e * approach - speed) / reply, 0.0);
+    let spun = own.shares * arm * arm * moment;
+    let held = (u - speed * other.normal) / (reply + spun + other.turning);
+    let friction = coulomb(held, pressed, surface, other);
+    (*mover).velocity += (friction - pressed * other.normal) * own.inverse_mass;
+    (*mover).angular_velocity += arm * cross(other.normal, friction) * moment;
 }
 // ANCHOR_END: bounce

@@ -9,8 +9,8 @@
 @group(0) @binding(4) var<storage, read_write> status: array<atomic<u32>>;
 
 const LANES: u32 = 256u;
-const PER_LANE: u32 = 8u;
-const PER_BLOCK: u32 = 2048u;
+const PER_LANE: u32 = 16u;
+const PER_BLOCK: u32 = 4096u;
 
 var<workgroup> sums: array<u32, LANES>;
 
@@ -47,7 +47,7 @@ fn scan_blocks(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_in
     }
     let before = scan_lanes(lane, sum);
     for (var k = 0u; k < PER_LANE; k++) {
-        if first + k < grid.starts && atomicLoad(&status[HALTED]) == 0u {
+        if first + k < grid.starts && atomicLoad(&status[NEEDED]) <= grid.room {
             starts[first + k] = before + own[k];
         }
     }
@@ -83,7 +83,7 @@ fn scan_sums(@builtin(local_invocation_index) lane: u32) {
 @compute @workgroup_size(WORKGROUP)
 fn scan_add(@builtin(global_invocation_id) id: vec3u) {
     let slot = row_index(id);
-    if slot < grid.starts && atomicLoad(&status[HALTED]) == 0u {
+    if slot < grid.starts && atomicLoad(&status[NEEDED]) <= grid.room {
         starts[slot] += blocks[slot / PER_BLOCK];
     }
 }

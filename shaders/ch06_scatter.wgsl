@@ -13,7 +13,7 @@
 @compute @workgroup_size(WORKGROUP)
 fn scatter(@builtin(global_invocation_id) id: vec3u) {
     let row = row_index(id);
-    if row >= grid.rows || atomicLoad(&status[HALTED]) != 0u {
+    if row >= grid.rows || atomicLoad(&status[NEEDED]) > grid.room {
         return;
     }
     let slot = slots[row];

@@ -21,7 +21,7 @@
 @compute @workgroup_size(WORKGROUP)
 fn sort(@builtin(global_invocation_id) id: vec3u) {
     let at = row_index(id);
-    if at >= grid.rows || atomicLoad(&status[HALTED]) != 0u {
+    if at >= grid.rows || atomicLoad(&status[NEEDED]) > grid.room {
         return;
     }
     let row = order[at];

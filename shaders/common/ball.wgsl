@@ -112,3 +112,12 @@ fn kicked_velocity(velocity: vec3f, inverse_mass: f32, held: vec3f, step: Step) 
     return (velocity + pulled + held * inverse_mass) * step.drag;
 }
 // ANCHOR_END: kick
+
+// What friction gives of what it would take to hold.
+fn coulomb(held: vec3f, pressed: f32, surface: Ball, other: Other) -> vec3f {
+    let size = length(held);
+    if size <= sqrt(surface.static_friction * other.static_friction) * pressed {
+        return held;
+    }
+    return held * (sqrt(surface.friction * other.friction) * pressed / max(size, SMALL));
+}

@@ -1,5 +1,5 @@
-// A uniform grid without ends: cells are found by their coordinates modulo powers of two. Rows that are
-// near in space are near in the table. Names as in `ch06_compute::grid`. Needs rows.
+// A uniform grid without ends: cells are found by their coordinates modulo the size of a table. Rows that
+// are near in space are near in the table. Names as in `ch06_compute::grid`. Needs rows.
 
 // Rows that are not finite are kept here, behind all slots: nobody looks there.
 fn slot_of_lost(grid: GridOf) -> u32 {
@@ -11,10 +11,17 @@ fn cell_of(grid: GridOf, position: vec3f) -> vec3i {
     return vec3i(floor(position / grid.edge));
 }
 
+// Coordinates modulo the size of the table, never negative.
+fn wrap(cell: vec3i, slots: vec3u) -> vec3u {
+    let size = vec3i(slots);
+    let rest = cell % size;
+    return vec3u(select(rest, rest + size, rest < vec3i(0)));
+}
+
 // The slot of a cell.
 fn slot_of(grid: GridOf, cell: vec3i) -> u32 {
     let slots = vec3u(grid.slots_x, grid.slots_y, grid.slots_z);
-    let wrapped = vec3u(cell) & (slots - 1u);
+    let wrapped = wrap(cell, slots);
     return (wrapped.z * slots.y + wrapped.y) * slots.x + wrapped.x;
 }
 

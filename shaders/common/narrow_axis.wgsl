@@ -13,96 +13,88 @@ struct Way {
     apart: f32,
 }
 
+// How many directions `candidate` has.
+const CANDIDATES: u32 = 18u;
+
 // The direction along which the two are the furthest apart. Faces come first, those of the larger body
 // before the other's; something else has to be clearly better, or a tremor would change the normal.
 fn best_axis(a: Core, b: Core) -> Way {
     let slack = slack(a, b);
+    let between = b.centre - a.centre;
     let a_is_larger = reach(a) > reach(b);
     var best = Way(vec3f(0.0, 1.0, 0.0), -HUGE);
-    best = best_face(best, a, b, a_is_larger, -HUGE);
-    best = best_face(best, a, b, !a_is_larger, best.apart + slack);
-    best = best_crossing(best, a, b, best.apart + slack);
+    var least = -HUGE;
+    for (var i = 0u; i < CANDIDATES; i++) {
+        if i == 3u || i == 6u || i == 15u {
+            least = best.apart + slack;
+        }
+        let axis = candidate(a, b, a_is_larger, i);
+        let squared = dot(axis, axis);
+        if squared < PARALLEL2 {
+            continue;
+        }
+        var normal = axis / sqrt(squared);
+        if dot(normal, between) < 0.0 {
+            normal = -normal;
+        }
+        let apart = separation(a, b, normal);
+        if apart > best.apart && apart > least {
+            best = Way(normal, apart);
+        }
+    }
+    return best;
+}
+
+// The direction with number i, or none: 0 to 2 across the larger body's faces, 3 to 5 across the
+// other's, 6 to 14 across an edge of each, 15 from centre to centre, 16 and 17 straight out from the
+// axis of a cylinder.
+fn candidate(a: Core, b: Core, a_is_larger: bool, i: u32) -> vec3f {
+    if i < 6u {
+        let of_a = (i < 3u) == a_is_larger;
+        return select(face_axis(b, i % 3u), face_axis(a, i % 3u), of_a);
+    }
+    if i < 15u {
+        return cross(edge_axis(a, i / 3u - 2u), edge_axis(b, i % 3u));
+    }
     let between = b.centre - a.centre;
-    let least = best.apart + slack;
-    best = better(best, a, b, between / max(length(between), TINY), least);
-    if a.kind == CYLINDER {
-        best = better(best, a, b, off_axis(a, between), least);
+    if i == 16u {
+        return off_axis(a, between);
     }
-    if b.kind == CYLINDER {
-        best = better(best, a, b, off_axis(b, between), least);
+    if i == 17u {
+        return off_axis(b, between);
     }
-    return best;
+    return between / max(length(between), TINY);
 }
 
-// The better of a way and the one along `axis`, which must have bodies further apart than `least`, m.
-fn better(best: Way, a: Core, b: Core, axis: vec3f, least: f32) -> Way {
-    let squared = dot(axis, axis);
-    if squared < PARALLEL2 {
-        return best;
+// The normal of face i of three, or none.
+fn face_axis(core: Core, i: u32) -> vec3f {
+    if core.kind == CAPSULE {
+        return vec3f(0.0);
     }
-    var normal = axis / sqrt(squared);
-    if dot(normal, b.centre - a.centre) < 0.0 {
-        normal = -normal;
-    }
-    let apart = separation(a, b, normal);
-    if apart > best.apart && apart > least {
-        return Way(normal, apart);
-    }
-    return best;
+    return edge_axis(core, i);
 }
 
-// The better of a way and the best one across the faces of a or of b.
-fn best_face(best: Way, a: Core, b: Core, of_a: bool, least: f32) -> Way {
-    var found = best;
-    if of_a && has_faces(a) {
-        for (var i = 0u; i < axis_count(a); i++) {
-            found = better(found, a, b, axis_of(a, i), least);
-        }
-    }
-    if !of_a && has_faces(b) {
-        for (var i = 0u; i < axis_count(b); i++) {
-            found = better(found, a, b, axis_of(b, i), least);
-        }
-    }
-    return found;
-}
-
-// The better of a way and the best one across an edge of each.
-fn best_crossing(best: Way, a: Core, b: Core, least: f32) -> Way {
-    var found = best;
-    for (var i = 0u; i < axis_count(a); i++) {
-        for (var j = 0u; j < axis_count(b); j++) {
-            found = better(found, a, b, cross(axis_of(a, i), axis_of(b, j)), least);
-        }
-    }
-    return found;
-}
-
-fn has_faces(core: Core) -> bool {
-    return core.kind == BOX || core.kind == CYLINDER;
-}
-
-// Along how many axes a core has edges: 3 for a box, else its y alone.
-fn axis_count(core: Core) -> u32 {
-    return select(1u, 3u, core.kind == BOX);
-}
-
-fn axis_of(core: Core, i: u32) -> vec3f {
-    if core.kind != BOX || i == 1u {
+// The direction of edge i of three, or none: a cylinder and a capsule have the second one.
+fn edge_axis(core: Core, i: u32) -> vec3f {
+    if i == 1u {
         return core.axes[1];
     }
-    if i == 0u {
-        return core.axes[0];
+    if core.kind != BOX {
+        return vec3f(0.0);
     }
-    return core.axes[2];
+    return select(core.axes[2], core.axes[0], i == 0u);
 }
 
-// The part of a direction, as a unit vector or none, at a right angle to a core's y.
+// The unit vector along the part of a direction that is at a right angle to a cylinder's axis; any, if
+// there is none.
 fn off_axis(core: Core, direction: vec3f) -> vec3f {
+    if core.kind != CYLINDER {
+        return vec3f(0.0);
+    }
     let off = direction - dot(direction, core.axes[1]) * core.axes[1];
     let size = length(off);
     if size > 1e-6 * reach(core) {
         return off / size;
     }
-    return vec3f(0.0);
+    return core.axes[0];
 }

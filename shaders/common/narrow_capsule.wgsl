@@ -19,17 +19,20 @@ fn capsule_capsule(a: Core, b: Core, margin: f32) -> Manifold {
     if distance > rounds + margin {
         return Manifold();
     }
-    var normal = way_out(a, b);
-    if distance > SAME * (rounds + reach(a) + reach(b)) {
-        normal = between / distance;
+    var normal = between / max(distance, TINY);
+    let across = way_out(a, b);
+    if distance < SAME * extent(a, b) || separation(a, b, across) > separation(a, b, normal) {
+        normal = across;
     }
     let slack = slack(a, b);
+    let gap = separation(a, b, normal) + rounds;
     var spots = no_spots(normal, ROUND, rounds + margin);
-    edges_meet(&spots, of_a, of_b, Meeting(distance, ASIDE * rounds, 0.0, slack));
+    edges_meet(&spots, of_a, of_b, Meeting(gap, 0.0, a.round, b.round, slack));
     return finished(a, b, &spots, slack);
 }
 
-// The way out where two segments cross: at a right angle to both; if they are parallel, sideways.
+// The way out where two segments cross or nearly do: at a right angle to both; if they are parallel,
+// sideways.
 fn way_out(a: Core, b: Core) -> vec3f {
     let across = cross(a.axes[1], b.axes[1]);
     let sine = length(across);

@@ -24,9 +24,10 @@ fn contacts(a: Core, b: Core, way: Way, margin: f32) -> Spots {
         spots.lift_a = lift(a, EDGE, n);
         spots.lift_b = lift(b, EDGE, n);
         let gap = way.apart + rounds;
-        let aside = ASIDE * (rounds + spots.lift_a + spots.lift_b) + slack(a, b);
         let push = max(GAP * smaller_size(a, b) - gap, 0.0);
-        edges_meet(&spots, of_a, of_b, Meeting(gap, aside, push, slack(a, b)));
+        let round_a = a.round + spots.lift_a;
+        let round_b = b.round + spots.lift_b;
+        edges_meet(&spots, of_a, of_b, Meeting(gap, push, round_a, round_b, slack(a, b)));
         spots.turns = turns(a.kind == BOX && b.kind == CAPSULE, false);
     }
     return spots;

@@ -16,10 +16,12 @@ const SHORT: f32 = 0.01;
 struct Meeting {
     // How far apart they are along the normal, m.
     gap: f32,
-    // By how much they may be off from lying opposite each other, m.
-    aside: f32,
-    // How far both are pushed apart before their nearest points are taken, m.
+    // How far they are pushed apart before their nearest points are taken, m.
     push: f32,
+    // How round the first one's body is there: its radius, m.
+    round_a: f32,
+    // How round the other one's body is.
+    round_b: f32,
     // m.
     slack: f32,
 }
@@ -57,12 +59,16 @@ fn edges_meet(spots: ptr<function, Spots>, one: Feature, other: Feature, meeting
     let near = nearest_points(one, other, meeting.push * normal);
     let p = along(one, near.x);
     let q = along(other, near.y);
-    let part = stretch(one, other, near.x, normal, meeting.aside);
+    // The rounder one yields: it is hardly thinner a little aside.
+    let rounds = meeting.round_a + meeting.round_b;
+    let share = (meeting.round_a + meeting.slack) / (rounds + 2.0 * meeting.slack);
+    let aside = ASIDE * rounds + meeting.slack;
+    let part = stretch(one, other, near.x, normal, aside);
     if part.y - part.x > SHORT * one.half_u {
-        opposite(spots, one, other, part.x, name | 1u);
-        opposite(spots, one, other, part.y, name | 2u);
+        opposite(spots, one, other, part.x, share, name | 1u);
+        opposite(spots, one, other, part.y, share, name | 2u);
     } else {
-        add_spot(spots, p + 0.5 * off(normal, p, q), meeting.gap, name);
+        add_spot(spots, p + share * off(normal, p, q), meeting.gap, name);
     }
     (*spots).least = dot(q - p, normal);
     if length(off(normal, p, q)) > meeting.slack {
@@ -75,12 +81,20 @@ fn off(normal: vec3f, p: vec3f, q: vec3f) -> vec3f {
     return (q - p) - dot(q - p, normal) * normal;
 }
 
-// Adds the point at s along an edge, and the nearest one of the other.
-fn opposite(spots: ptr<function, Spots>, one: Feature, other: Feature, s: f32, name: u32) {
+// Adds the point at s along an edge, and the nearest one of the other; the first one is moved by a share
+// of what it is off from lying opposite.
+fn opposite(
+    spots: ptr<function, Spots>,
+    one: Feature,
+    other: Feature,
+    s: f32,
+    share: f32,
+    name: u32,
+) {
     let normal = (*spots).normal;
     let p = along(one, s);
     let q = along(other, nearest_along(other, p));
-    let on_a = p + 0.5 * off(normal, p, q);
+    let on_a = p + share * off(normal, p, q);
     add_spot(spots, on_a, dot(q - p, normal), name);
 }
 

@@ -5,13 +5,23 @@
 
 // Set in the names of b's corners.
 const OF_B: u32 = 128u;
-// The name of a rim's lowest point.
+// The corner that is a tilted rim's lowest point.
 const LOWEST: u32 = 8u;
 // The names of the points where two rims cross.
 const CROSSING: u32 = 9u;
 
 // A cap lies flat if the sine of its tilt is less: then its rim has no lowest point.
 const FLAT: f32 = 1e-3;
+
+// What the points of a feature are added as.
+struct Role {
+    // 1 for a feature of a, −1 for one of b.
+    sign: f32,
+    // What all their names have.
+    name: u32,
+    // How far they may be beyond the sides of the other feature, m.
+    slack: f32,
+}
 
 // Adds the points where a's feature and b's lie over each other, of which at most one is an edge. What
 // reaches beyond a side by less than `slack`, m, is not cut.
@@ -23,17 +33,30 @@ fn faces_meet(
     of_b: Feature,
     slack: f32,
 ) {
-    let name = (1u << 16u) | (of_a.name << 12u) | (of_b.name << 8u);
     let equal = of_a.shape == of_b.shape;
-    if of_a.shape < of_b.shape || (equal && reach(a) < reach(b)) {
-        edges_over(spots, of_a, of_b, 1.0, name, slack);
-        corners_over(spots, of_b, of_a, -1.0, name | OF_B, -slack);
-    } else {
-        edges_over(spots, of_b, of_a, -1.0, name | OF_B, slack);
-        corners_over(spots, of_a, of_b, 1.0, name, -slack);
+    var name = (1u << 16u) | (of_a.name << 12u) | (of_b.name << 8u);
+    var sign = 1.0;
+    var cut = of_a;
+    var face = of_b;
+    if of_a.shape > of_b.shape || (equal && reach(a) >= reach(b)) {
+        name |= OF_B;
+        sign = -1.0;
+        cut = of_b;
+        face = of_a;
     }
-    lowest_over(spots, of_a, of_b, 1.0, name | LOWEST);
-    lowest_over(spots, of_b, of_a, -1.0, name | OF_B | LOWEST);
+    var role = Role(sign, name, slack);
+    edges_over(spots, cut, face, role);
+    rims_cross(spots, cut, face, role);
+    for (var i = 0u; i < 2u; i++) {
+        // The ends of edges are corners of what is cut.
+        if i == 1u || cut.shape == DISC {
+            corners_over(spots, cut, face, role);
+        }
+        let swapped = cut;
+        cut = face;
+        face = swapped;
+        role = Role(-role.sign, role.name ^ OF_B, -slack);
+    }
 }
 
 // A point over a face: where along the face's u and v, and how far along `normal` the face is from it,
@@ -44,10 +67,10 @@ fn over(face: Feature, p: vec3f, normal: vec3f) -> vec3f {
     return vec3f(dot(foot, face.u), dot(foot, face.v), way);
 }
 
-// Adds a point of a's feature (`sign` 1) or of b's (−1) and what is opposite it on the other one.
-fn place(spots: ptr<function, Spots>, p: vec3f, other: Feature, sign: f32, name: u32) {
+// Adds a point of a feature, and what is opposite it on a face.
+fn place(spots: ptr<function, Spots>, p: vec3f, face: Feature, sign: f32, name: u32) {
     let normal = (*spots).normal;
-    let way = over(other, p, normal).z;
+    let way = over(face, p, normal).z;
     var on_a = p;
     if sign < 0.0 {
         on_a = p + way * normal;
@@ -58,17 +81,8 @@ fn place(spots: ptr<function, Spots>, p: vec3f, other: Feature, sign: f32, name:
 // What a feature's edges have over a face: their ends, and where they leave it. An end is named by the
 // corner that it is or the nearer one, so that equal boxes in a stack keep four names while they
 // tremble to this side and that of being aligned.
-fn edges_over(
-    spots: ptr<function, Spots>,
-    cut: Feature,
-    face: Feature,
-    sign: f32,
-    name: u32,
-    slack: f32,
-) {
+fn edges_over(spots: ptr<function, Spots>, cut: Feature, face: Feature, role: Role) {
     if cut.shape == DISC {
-        corners_over(spots, cut, face, sign, name, slack);
-        rims_cross(spots, cut, face, sign, name, slack);
         return;
     }
     let normal = (*spots).normal;
@@ -80,15 +94,15 @@ fn edges_over(
         let q = corner(cut, j);
         let start = over(face, p, normal).xy;
         let end = over(face, q, normal).xy;
-        let t = part_over(face, start, end, slack);
-        if t.x > t.y {
-            continue;
-        }
-        let first = name | select(j, i, t.x < 0.5);
-        place(spots, p + t.x * (q - p), face, sign, first);
-        if t.x < t.y && (t.y < 1.0 || cut.shape == EDGE) {
-            let last = name | select(j, i, t.y < 0.5);
-            place(spots, p + t.y * (q - p), face, sign, last);
+        let part = part_over(face, start, end, role.slack);
+        for (var k = 0u; k < 2u; k++) {
+            let t = select(part.y, part.x, k == 0u);
+            // A rectangle's corner is where its next edge starts.
+            let is_new = k == 0u || (part.x < part.y && (t < 1.0 || edges == 1u));
+            if part.x <= part.y && is_new {
+                let name = role.name | select(j, i, t < 0.5);
+                place(spots, p + t * (q - p), face, role.sign, name);
+            }
         }
     }
 }
@@ -127,23 +141,22 @@ fn part_in_circle(p: vec2f, q: vec2f, r: f32) -> vec2f {
     return vec2f(max((-half - reach) / d2, 0.0), min((-half + reach) / d2, 1.0));
 }
 
-// The corners of a feature that are over a face, or beyond its sides by at most `slack`, m.
-fn corners_over(
-    spots: ptr<function, Spots>,
-    feature: Feature,
-    face: Feature,
-    sign: f32,
-    name: u32,
-    slack: f32,
-) {
+// The corners of a feature that are over a face.
+fn corners_over(spots: ptr<function, Spots>, feature: Feature, face: Feature, role: Role) {
     if face.shape == EDGE {
         return;
     }
-    for (var i = 0u; i < corner_count(feature); i++) {
-        let p = corner(feature, i);
-        let at = over(face, p, (*spots).normal).xy;
-        if is_over(face, at, slack) {
-            place(spots, p, face, sign, name | i);
+    let normal = (*spots).normal;
+    let count = corner_count(feature) + lowest_count(feature, normal);
+    for (var i = 0u; i < count; i++) {
+        var p = corner(feature, i);
+        if i == LOWEST {
+            p = lowest(feature, role.sign * normal);
+        }
+        let at = over(face, p, normal).xy;
+        if is_over(face, at, role.slack) {
+            let name = corner_name(feature, face, role.name, i, at);
+            place(spots, p, face, role.sign, name);
         }
     }
 }
@@ -156,35 +169,36 @@ fn is_over(face: Feature, p: vec2f, slack: f32) -> bool {
     return abs(p.x) <= face.half_u + slack && abs(p.y) <= face.half_v + slack;
 }
 
-// The lowest point of a cap that stands on its rim, if it is over the face.
-fn lowest_over(spots: ptr<function, Spots>, disc: Feature, face: Feature, sign: f32, name: u32) {
-    if disc.shape != DISC || face.shape == EDGE {
-        return;
+// The name of a feature's corner i, which is at `at` over a face. Where both are rectangles, it is that
+// of the face's corner on its side: a corner that moves a little beyond two sides of a face hands its
+// name to the face's own.
+fn corner_name(feature: Feature, face: Feature, name: u32, i: u32, at: vec2f) -> u32 {
+    if feature.shape == DISC || face.shape == DISC {
+        return name | i;
     }
-    let normal = (*spots).normal;
-    let down = vec2f(dot(disc.u, normal), dot(disc.v, normal));
-    let tilt = length(down);
-    if tilt < FLAT {
-        return;
-    }
-    let way = sign * disc.half_u / tilt * down;
-    let p = disc.centre + way.x * disc.u + way.y * disc.v;
-    let at = over(face, p, normal).xy;
-    if is_over(face, at, 0.0) {
-        place(spots, p, face, sign, name);
-    }
+    let side = select(0u, 1u, at.x < 0.0);
+    return (name ^ OF_B) | select(side, 3u - side, at.y < 0.0);
+}
+
+// 1 for a cap that stands on its rim, else 0.
+fn lowest_count(feature: Feature, normal: vec3f) -> u32 {
+    let tilt = length(vec2f(dot(feature.u, normal), dot(feature.v, normal)));
+    return select(0u, 1u, feature.shape == DISC && tilt > FLAT);
+}
+
+// The point of a cap's rim that is furthest along a direction.
+fn lowest(disc: Feature, direction: vec3f) -> vec3f {
+    let x = dot(disc.u, direction);
+    let y = dot(disc.v, direction);
+    return disc.centre + disc.half_u / length(vec2f(x, y)) * (x * disc.u + y * disc.v);
 }
 
 // Where the rims of two caps cross, as seen along the normal. Where one is tilted so much that its rim
-// isn't a circle but for `slack`, m, they have other points.
-fn rims_cross(
-    spots: ptr<function, Spots>,
-    disc: Feature,
-    other: Feature,
-    sign: f32,
-    name: u32,
-    slack: f32,
-) {
+// isn't a circle but for the slack, they have other points.
+fn rims_cross(spots: ptr<function, Spots>, disc: Feature, other: Feature, role: Role) {
+    if disc.shape != DISC || other.shape != DISC {
+        return;
+    }
     let normal = (*spots).normal;
     let between = over(disc, other.centre, normal).xy;
     let d2 = dot(between, between);
@@ -199,13 +213,13 @@ fn rims_cross(
         return;
     }
     for (var i = 0u; i < 2u; i++) {
-        let across = select(-sqrt(across2), sqrt(across2), i == 0u);
+        let across = select(-1.0, 1.0, i == 0u) * sqrt(across2);
         let x = along * between.x - across * between.y;
         let y = along * between.y + across * between.x;
         let p = disc.centre + x * disc.u + y * disc.v;
         let at = over(other, p, normal).xy;
-        if is_over(other, at, slack) {
-            place(spots, p, other, sign, name | (CROSSING + i));
+        if is_over(other, at, role.slack) {
+            place(spots, p, other, role.sign, role.name | (CROSSING + i));
         }
     }
 }

@@ -32,23 +32,20 @@ fn simplex_of(corner: vec3f) -> Simplex {
 }
 
 // Takes a corner in, and drops those that the nearest point doesn't need then. It is taken to be
-// needed: GJK has no other.
+// needed, since GJK takes in no other: so the point is on a triangle of it and two of the old ones.
 fn take_in(simplex: ptr<function, Simplex>, corner: vec3f) {
-    let p = (*simplex).corners[0];
-    let q = (*simplex).corners[1];
-    let r = (*simplex).corners[2];
-    // The bit of the new corner, after those of the old ones.
     let last = (*simplex).count;
-    var best = on_segment(p, corner);
-    if last == 2u {
-        best = on_triangle(p, q, corner);
-    }
-    if last == 3u {
-        best = with_bits(on_triangle(p, q, corner), 0u, 1u);
-        best = nearer(best, with_bits(on_triangle(p, r, corner), 0u, 2u));
-        best = nearer(best, with_bits(on_triangle(q, r, corner), 1u, 2u));
-    }
     (*simplex).corners[last] = corner;
+    let triangles = select(1u, 3u, last == 3u);
+    var best = Nearest(corner, 1u << last);
+    for (var k = 0u; k < triangles; k++) {
+        // 0 and 1, 0 and 2, 1 and 2; a single old corner twice.
+        let i = k / 2u;
+        let j = min(min(k + 1u, 2u), last - 1u);
+        let p = (*simplex).corners[i];
+        let q = (*simplex).corners[j];
+        best = nearer(best, with_bits(on_triangle(p, q, corner), i, j, last));
+    }
     (*simplex).nearest = best.point;
     var kept = 0u;
     for (var i = 0u; i <= last; i++) {
@@ -67,10 +64,10 @@ fn nearer(one: Nearest, other: Nearest) -> Nearest {
     return one;
 }
 
-// The same where the three corners were the ones with bits i, j and 3.
-fn with_bits(nearest: Nearest, i: u32, j: u32) -> Nearest {
+// The same where the three corners were the ones with bits i, j and `last`.
+fn with_bits(nearest: Nearest, i: u32, j: u32, last: u32) -> Nearest {
     let needs = nearest.needs;
-    let bits = ((needs & 1u) << i) | (((needs >> 1u) & 1u) << j) | (((needs >> 2u) & 1u) << 3u);
+    let bits = ((needs & 1u) << i) | (((needs >> 1u) & 1u) << j) | (((needs >> 2u) & 1u) << last);
     return Nearest(nearest.point, bits);
 }
 

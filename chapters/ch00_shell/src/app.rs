@@ -69,7 +69,7 @@ struct App {
 /// How far the window is.
 enum Phase {
     /// For the system or the device; with the panels as they were before a device was lost.
-    Waiting(Box<Stage>, Option<Panels>),
+    Waiting(Box<Stage>, Option<Box<Panels>>),
     /// Frames are drawn.
     Running(Box<WindowLoop>),
     /// Nothing more to do.
@@ -106,6 +106,7 @@ impl App {
         let surface = WindowSurface::new(&gpu, surface, &window)?;
         match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Waiting(stage, panels) => {
+                let panels = panels.map(|panels| *panels).unwrap_or_default();
                 let running = WindowLoop::new(window, gpu, surface, *stage, panels, self.start);
                 self.phase = Phase::Running(Box::new(running));
             }
@@ -121,7 +122,7 @@ impl App {
             Phase::Running(running) => {
                 let (window, mut stage, panels) = running.take_apart();
                 stage.tell("The graphics device was lost and another one opened.");
-                self.phase = Phase::Waiting(Box::new(stage), Some(panels));
+                self.phase = Phase::Waiting(Box::new(stage), Some(Box::new(panels)));
                 self.request_device(window)
             }
             phase => {
@@ -134,7 +135,11 @@ impl App {
     /// Ends the loop with an error, if there is one.
     fn check(&mut self, event_loop: &ActiveEventLoop, outcome: Result<(), ShellError>) {
         if let Err(error) = outcome {
-            self.failure = Some(error);
+            self.failure = Some(match error {
+                // There was one before: the run is over, and none without a window begins.
+                ShellError::NoAdapter(why) if self.losses > 0 => ShellError::Graphics(why),
+                error => error,
+            });
             self.phase = Phase::Over;
             event_loop.exit();
         }

@@ -42,7 +42,7 @@ impl Gpu {
     /// The device that this program has open; opens one if there is none, or if it has failed.
     ///
     /// # Errors
-    /// As [`Self::request`].
+    /// [`ShellError::NoAdapter`] if there is none, [`ShellError::Graphics`] if it can't be opened.
     pub fn shared() -> Result<Rc<Self>, ShellError> {
         match open_one() {
             Some(open) => Ok(open),
@@ -59,7 +59,7 @@ impl Gpu {
     /// [`Self::instance`].
     ///
     /// # Errors
-    /// As [`Self::request`].
+    /// [`ShellError::NoAdapter`] if there is none, [`ShellError::Graphics`] if it can't be opened.
     pub(crate) async fn for_surface(
         instance: &wgpu::Instance,
         surface: &wgpu::Surface<'static>,
@@ -110,6 +110,13 @@ impl Gpu {
         });
         OPEN.set(Rc::downgrade(&gpu));
         Ok(gpu)
+    }
+
+    /// Takes over what the device has to say, without waiting: errors, and numbers that came back. To be
+    /// called once a frame.
+    pub fn look(&self) {
+        // What goes wrong here is the device's failure, or its loss.
+        let _ = self.device.poll(wgpu::PollType::Poll);
     }
 
     /// The first error that the device reported, if it did.
@@ -178,7 +185,8 @@ fn watch(device: &wgpu::Device) -> (Failure, Arc<AtomicBool>) {
     }));
     let (on_loss, flag) = (Arc::clone(&failure), Arc::clone(&is_lost));
     device.set_device_lost_callback(move |reason, message| {
-        *lock(&on_loss) = Some(format!("the device was lost ({reason:?}) {message}"));
+        let message = format!("the device was lost ({reason:?}) {message}");
+        *lock(&on_loss) = Some(message.trim_end().to_owned());
         flag.store(true, Ordering::Release);
     });
     (failure, is_lost)

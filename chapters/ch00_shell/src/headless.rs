@@ -110,13 +110,13 @@ pub fn simulate(session: &mut Session, options: &Options) -> Result<Summary, She
 /// Says so where the engine has failed and another one went on.
 fn hear_of_failure(session: &mut Session, progress: &ProgressBar) -> Result<(), ShellError> {
     let notice = session.take_notice();
-    match session.failure() {
-        Some(why) => Err(ShellError::Stopped(why.to_owned())),
-        None => {
-            notice.inspect(|notice| progress.suspend(|| eprintln!("{notice}")));
-            Ok(())
-        }
+    if let Some(why) = session.failure() {
+        return Err(ShellError::Stopped(why.to_owned()));
     }
+    if let Some(notice) = notice {
+        progress.suspend(|| eprintln!("{notice}"));
+    }
+    Ok(())
 }
 
 fn summarise(session: &Session, options: &Options, timing: Timing, worst: &Worst) -> Summary {

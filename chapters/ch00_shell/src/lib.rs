@@ -3,8 +3,6 @@
 //!
 //! A chapter says what it offers in a [`Chapter`] and its `main.rs` calls [`main`].
 
-#[cfg(test)]
-mod bench_tmp;
 mod app;
 mod camera;
 mod chapter;

@@ -41,7 +41,7 @@ impl WindowLoop {
         gpu: Rc<Gpu>,
         surface: WindowSurface,
         mut stage: Stage,
-        panels: Option<Panels>,
+        panels: Panels,
         start: Instant,
     ) -> Self {
         stage.adapter.clone_from(&gpu.name);
@@ -50,7 +50,7 @@ impl WindowLoop {
         let quality = Quality::of(gpu.is_software, surroundings);
         Self {
             renderer: Renderer::new(&gpu, surface.format(), quality, surroundings.clone()),
-            overlay: Overlay::new(&gpu, &window, surface.format(), panels.unwrap_or_default()),
+            overlay: Overlay::new(&gpu, &window, surface.format(), panels),
             input: Input::default(),
             guides: Guides::default(),
             last_frame: None,
@@ -109,6 +109,7 @@ impl WindowLoop {
 
     /// One frame; none if the window shows nothing now.
     fn frame(&mut self) -> Result<(), ShellError> {
+        self.gpu.look();
         if let Some(failure) = self.gpu.failure() {
             return Err(ShellError::Graphics(failure));
         }

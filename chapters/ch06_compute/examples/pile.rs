@@ -198,8 +198,10 @@ struct Line {
     fastest: f64,
 }
 
-/// The columns: name, with its unit, and value.
-const COLUMNS: &[(&str, fn(&Line) -> String)] = &[
+/// A column's name, with its unit, and its value in a line.
+type Column = (&'static str, fn(&Line) -> String);
+
+const COLUMNS: &[Column] = &[
     ("scene", |line| line.scene.name.clone()),
     ("count", |line| optional(line.count)),
     ("bodies", |line| line.scene.bodies.len().to_string()),

@@ -2,10 +2,11 @@
 //! integration on the CPU, and the same with upload, kernels and download.
 //!
 //! `cargo run --release -p ch06_compute --no-default-features --example round_trip -- [--counts N,N,…]
-//! [--boxes] [--csv FILE]`
+//! [--boxes] [--csv FILE] [--from FILE]`
 //!
 //! Times are medians, ms a frame. The parts are measured in frames of their own, with a wait after each, so
-//! together they take longer than the whole.
+//! together they take longer than the whole. `--from` measures nothing, and tells what a file of `--csv`
+//! holds.
 
 use std::fs;
 use std::process::ExitCode;
@@ -46,6 +47,9 @@ fn main() -> ExitCode {
 
 fn run() -> Result<(), Problem> {
     let options = Options::of(std::env::args().skip(1))?;
+    if let Some(file) = options.from {
+        return tell(&fs::read_to_string(file)?);
+    }
     let gpu = Gpu::open()?;
     println!("{}; {}, one thread", gpu.name, machine());
     println!("{HEADER}");
@@ -62,11 +66,33 @@ fn run() -> Result<(), Problem> {
     Ok(())
 }
 
+/// Tells what a file holds.
+fn tell(file: &str) -> Result<(), Problem> {
+    let mut lines = Vec::new();
+    for line in file.lines().skip(1) {
+        // The two names stand in quotes, as they may have commas in them.
+        let parts: Vec<&str> = line.splitn(5, '"').collect();
+        let ["", gpu, ",", cpu, values] = parts[..] else {
+            return Err(format!("`{line}` does not begin with two names in quotes").into());
+        };
+        if lines.is_empty() {
+            println!("{gpu}; {cpu}, one thread\n{HEADER}");
+        }
+        let values: Vec<&str> = values.split(',').skip(1).collect();
+        let line = Line::read(&values)?;
+        println!("{}", line.text());
+        lines.push(line);
+    }
+    println!("{}", crossover(&lines));
+    Ok(())
+}
+
 /// What the command line says.
 struct Options {
     counts: Vec<usize>,
     boxes: bool,
     csv: Option<String>,
+    from: Option<String>,
 }
 
 impl Options {
@@ -77,6 +103,7 @@ impl Options {
             counts: steps.chain([1_000_000]).collect(),
             boxes: false,
             csv: None,
+            from: None,
         };
         while let Some(argument) = arguments.next() {
             let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
@@ -87,8 +114,13 @@ impl Options {
                     options.counts = counts.collect::<Result<_, _>>()?;
                 }
                 "--csv" => options.csv = Some(value()?),
+                "--from" => options.from = Some(value()?),
                 "--boxes" => options.boxes = true,
-                _ => return Err(format!("`{argument}` is none of --counts, --boxes, --csv").into()),
+                _ => {
+                    return Err(
+                        format!("`{argument}` is none of --counts, --boxes, --csv, --from").into(),
+                    );
+                }
             }
         }
         Ok(options)
@@ -107,7 +139,7 @@ struct Line {
 }
 
 const HEADER: &str =
-    "     bodies   ch05   round trip   upload  compute  download   kernels alone   (ms a frame)";
+    "     bodies      ch05   round trip   upload  compute  download   kernels alone   (ms a frame)";
 
 impl Line {
     fn measured(gpu: &Gpu, count: usize, boxes: bool) -> Result<Self, Problem> {
@@ -140,11 +172,36 @@ impl Line {
         })
     }
 
+    /// The values of a line of a file, behind the names.
+    fn read(values: &[&str]) -> Result<Self, Problem> {
+        let [
+            count,
+            bytes,
+            properties,
+            round_trip,
+            up,
+            compute,
+            down,
+            kernels,
+        ] = values
+        else {
+            return Err("a line has other values than `--csv` writes".into());
+        };
+        Ok(Self {
+            count: count.parse()?,
+            properties: properties.parse()?,
+            round_trip: round_trip.parse()?,
+            parts: [up.parse()?, compute.parse()?, down.parse()?],
+            kernels: kernels.parse()?,
+            bytes: bytes.parse()?,
+        })
+    }
+
     fn text(&self) -> String {
         let sum: f64 = self.parts.iter().sum();
         let [up, compute, down] = self.parts.map(|part| 100.0 * part / sum);
         format!(
-            "{:>11}{:>7.3}{:>13.3}{up:>7.0} %{compute:>7.0} %{down:>8.0} %{:>16.3}",
+            "{:>11}{:>10.3}{:>13.3}{up:>7.0} %{compute:>7.0} %{down:>8.0} %{:>16.3}",
             thousands(self.count),
             self.properties,
             self.round_trip,

@@ -1,10 +1,11 @@
 //! The bodies of a scene as rows, for both engines of this chapter.
 
-use ch00_maths::f32::rotation;
+use ch00_maths::f32::{rotation, spin};
 use ch00_scenes::{Body, Scene, Shape, State};
 use ch05_properties::data::shape_columns;
 use glam::{DQuat, DVec3, Quat, Vec3};
 
+use crate::own_row::contact::Before;
 use crate::rows::{Held, Material, Motion, Place, Push, Solid, Spin};
 
 /// All rows of all bodies: a column a kind of row, in the order of the scene.
@@ -26,6 +27,10 @@ pub struct Bodies {
     pub held: Vec<Held>,
     /// What pushes them out of others.
     pub push: Vec<Push>,
+    /// World angular momentum, kg m²/s. A ball has none here: it doesn't need it to turn.
+    pub momentum: Vec<Vec3>,
+    /// How they moved before the last kick.
+    pub before: Vec<Before>,
 }
 
 impl Bodies {
@@ -75,6 +80,9 @@ impl Bodies {
         });
         self.held.push(Held::default());
         self.push.push(Push::default());
+        self.before.push(Before::default());
+        self.momentum.push(Vec3::ZERO);
+        self.read_momentum(id as usize);
     }
 
     /// Removes a body; those after it move up.
@@ -87,6 +95,8 @@ impl Bodies {
         self.material.remove(row);
         self.held.remove(row);
         self.push.remove(row);
+        self.before.remove(row);
+        self.momentum.remove(row);
         for (id, solid) in self.solid.iter_mut().enumerate() {
             solid.id = id as u32;
         }
@@ -112,7 +122,19 @@ impl Bodies {
             self.motion[row].velocity = state.linear_velocity[row].as_vec3();
             self.spin[row].angular_velocity = state.angular_velocity[row].as_vec3();
             self.held[row] = Held::default();
+            self.read_momentum(row);
         }
+    }
+
+    /// Reads a body's angular momentum from its angular velocity.
+    pub fn read_momentum(&mut self, row: usize) {
+        let inverse_inertia = self.solid[row].inverse_inertia;
+        self.momentum[row] = if inverse_inertia == Vec3::ZERO || spin::is_round(inverse_inertia) {
+            Vec3::ZERO
+        } else {
+            let omega = self.spin[row].angular_velocity;
+            rotation::moment(self.attitude[row], inverse_inertia.recip(), omega)
+        };
     }
 
     fn set_pose(&mut self, row: usize, position: DVec3, orientation: DQuat) {

@@ -3,5 +3,16 @@
 
 mod ball_kernels;
 pub mod balls;
+mod device;
+mod driver;
+mod engine;
+pub mod error;
+mod explain;
+mod late;
+pub mod pairs;
 
 pub use balls::Balls;
+pub use driver::Driver;
+pub use engine::{ComputeEngine, ENGINE};
+pub use error::ComputeError;
+pub use pairs::Pairs;

@@ -1,4 +1,4 @@
-//! A uniform grid that has no ends: cells are found by their coordinates modulo powers of two, so a
+//! A uniform grid that has no ends: cells are found by their coordinates modulo the size of a table, so a
 //! world of any width needs a table of fixed size, and rows that are near in space are near in the
 //! table.
 //!
@@ -27,7 +27,7 @@ pub type Cell = [i32; 3];
 pub struct Grid {
     /// Edge of a cell, m: what two bodies that aren't large may be apart and still touch in the step.
     pub edge: f32,
-    /// How many slots along x, y and z: powers of two.
+    /// How many slots along x, y and z.
     pub slots: [u32; 3],
 }
 
@@ -42,7 +42,7 @@ impl Grid {
     #[must_use]
     pub fn slot_of(&self, cell: Cell) -> usize {
         let [x, y, z] = self.slots;
-        let wrap = |c: i32, slots: u32| c as u32 & (slots - 1);
+        let wrap = |c: i32, slots: u32| c.rem_euclid(slots as i32) as u32;
         ((wrap(cell[2], z) * y + wrap(cell[1], y)) * x + wrap(cell[0], x)) as usize
     }
 
@@ -69,20 +69,27 @@ impl Grid {
         } else {
             1.0
         };
+        let places: Vec<Place> = rows.iter().map(|&row| places[row]).collect();
+        Self::with_edge(edge, &places)
+    }
+
+    /// A grid with cells of this width, with slots for the space in which the bodies are.
+    #[must_use]
+    pub fn with_edge(edge: f32, places: &[Place]) -> Self {
         let mut low = Vec3::INFINITY;
         let mut high = Vec3::NEG_INFINITY;
-        for &row in &rows {
-            low = low.min(places[row].position);
-            high = high.max(places[row].position);
+        for place in places {
+            low = low.min(place.position);
+            high = high.max(place.position);
         }
         let extent = (high - low).max(Vec3::ZERO).min(Vec3::splat(1e6));
-        let mut slots = extent.to_array().map(|width| power_over(width / edge));
-        let wanted = (4 * rows.len().max(16) as u32).min(MOST_SLOTS);
+        let mut slots = extent.to_array().map(|width| slots_over(width / edge));
+        let wanted = (4 * places.len().max(16) as u32).min(MOST_SLOTS);
         while slots.iter().product::<u32>() > wanted {
             let Some(most) = slots.iter_mut().filter(|slots| **slots > FEWEST).max() else {
                 break;
             };
-            *most /= 2;
+            *most = most.div_ceil(2);
         }
         Self { edge, slots }
     }
@@ -95,11 +102,9 @@ pub fn margin_of(widest: f32) -> f32 {
     0.5 * widest + 2.0 * crate::rules::MARGIN
 }
 
-/// A power of two that is at least this, and at least [`FEWEST`].
-fn power_over(cells: f32) -> u32 {
-    (cells.ceil() as u32 + 1)
-        .next_power_of_two()
-        .clamp(FEWEST, 1 << 15)
+/// Slots for so many cells: one more, since what lies across a border is in both, and at least [`FEWEST`].
+fn slots_over(cells: f32) -> u32 {
+    (cells.ceil() as u32 + 1).clamp(FEWEST, MOST_SLOTS)
 }
 
 /// The reach beyond which a body is large, m: it is then on a short list, not in the grid.

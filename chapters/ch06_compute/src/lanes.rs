@@ -5,19 +5,21 @@ pub mod broad_phase;
 mod engine;
 mod explain;
 pub mod forces;
+pub mod joints;
 pub mod pairs;
 
-use ch00_maths::f32::rotation;
+use ch00_maths::f32::{rotation, spin};
 use ch00_scenes::{Body, Scene, State};
 use glam::Vec3;
 
 use crate::bodies::Bodies;
-use crate::own_row::body::{Gathered, exchange, kick, push_of, turned};
-use crate::own_row::contact::{Side, bounces, press_again, restore_pair, solve_pair};
+use crate::own_row::body::{Gathered, exchange, kick, kick_momentum, push_of, turned, turned_with};
+use crate::own_row::contact::{Before, Side, bounces, press_again, restore_pair, solve_pair};
 use crate::rows::{Held, Push, Step};
 use crate::rules::Rules;
 use broad_phase::BroadPhase;
 use forces::{Forces, Pivot};
+use joints::Joints;
 use pairs::Pairs;
 
 pub use engine::{ENGINE, LanesEngine, METHODS, unsupported};
@@ -35,6 +37,8 @@ pub struct Lanes {
     pub broad: BroadPhase,
     /// What pulls beyond gravity.
     pub forces: Forces,
+    /// Joints and angle limits.
+    pub joints: Joints,
     /// The constants of the run.
     pub rules: Rules,
     /// By body: what its pairs did to it in this substep.
@@ -58,6 +62,7 @@ impl Lanes {
             .collect();
         Ok(Self {
             gathered: vec![Gathered::default(); bodies.rows()],
+            joints: Joints::of(scene),
             bodies,
             pairs: Pairs::default(),
             last_pairs: Pairs::default(),
@@ -71,6 +76,7 @@ impl Lanes {
     pub fn write_state(&mut self, state: &State) {
         self.bodies.write(state);
         self.pairs = Pairs::default();
+        self.joints.forget();
         self.broad.forget();
     }
 
@@ -78,6 +84,7 @@ impl Lanes {
     pub fn add_body(&mut self, body: &Body) {
         self.bodies.push(body);
         self.gathered.push(Gathered::default());
+        self.joints.add_body();
         self.broad.forget();
     }
 
@@ -88,6 +95,7 @@ impl Lanes {
         self.pairs.remove_body(row);
         self.broad.remove_body(row);
         self.forces.remove_body(row);
+        self.joints.remove_body(row);
     }
 
     // ANCHOR: step
@@ -101,8 +109,10 @@ impl Lanes {
         self.start(&step);
         for substep in 1..=self.rules.substeps {
             self.solve_pairs(&step);
+            self.joints.solve_rows(&self.bodies, step.h);
             self.gather();
             self.exchange();
+            self.joints.solve_trees(&mut self.bodies, step.h);
             self.advance(&step);
             if substep < self.rules.substeps {
                 self.kick(&step);
@@ -131,7 +141,7 @@ impl Lanes {
         }
         self.gather();
         for row in 0..self.bodies.rows() {
-            self.bodies.held[row] = self.gathered[row].held;
+            self.bodies.held[row] = self.gathered[row].stays;
             self.bodies.motion[row].shares = self.gathered[row].counts.max(1.0);
         }
         self.kick(step);
@@ -143,15 +153,21 @@ impl Lanes {
         self.forces.gather(&self.bodies);
         for row in 0..self.bodies.rows() {
             let pull = self.forces.pulls.get(row).copied().unwrap_or_default();
+            let held = self.joints.with(row, self.bodies.held[row]);
+            self.bodies.before[row] = Before {
+                velocity: self.bodies.motion[row].velocity,
+                angular_velocity: self.bodies.spin[row].angular_velocity,
+            };
             kick(
                 &mut self.bodies.motion[row],
                 &mut self.bodies.spin[row],
                 self.bodies.attitude[row],
                 &self.bodies.solid[row],
-                &self.bodies.held[row],
+                &held,
                 &pull,
                 step,
             );
+            kick_momentum(&mut self.bodies.momentum[row], &held, &pull, step);
         }
     }
 
@@ -181,6 +197,7 @@ impl Lanes {
                 &bodies.motion[row],
                 &bodies.spin[row],
                 &bodies.solid[row],
+                bodies.before[row],
             )
         })
     }
@@ -194,6 +211,7 @@ impl Lanes {
                 let is_b = self.pairs.bodies[pair as usize].1 == row;
                 sum.add(&self.pairs.press[pair as usize], is_b);
             }
+            self.joints.gather(row, &mut sum);
             self.gathered[row] = sum;
         }
     }
@@ -214,7 +232,8 @@ impl Lanes {
                 &old,
                 &new.held,
             );
-            bodies.held[row] = new.held;
+            bodies.momentum[row] += new.held.angular - old.angular;
+            bodies.held[row] = new.stays;
             bodies.push[row] = push_of(&new.pushed, &bodies.spin[row], q, solid);
         }
     }
@@ -234,7 +253,7 @@ impl Lanes {
                 ..
             } = bodies.push[row];
             let motion = &mut bodies.motion[row];
-            let alone = self.gathered[row].counts == 0.0;
+            let alone = self.joints.floats(row, &self.gathered);
             let early = if alone {
                 0.5 * step.h * step.gravity
             } else {
@@ -242,17 +261,7 @@ impl Lanes {
             };
             bodies.place[row].position += step.h * (motion.velocity + velocity - early);
             motion.shares = self.gathered[row].counts.max(1.0);
-            let spin = bodies.spin[row].angular_velocity;
-            let inverse_inertia = bodies.solid[row].inverse_inertia;
-            let (q, w) = turned(
-                bodies.attitude[row],
-                spin,
-                angular_velocity,
-                inverse_inertia,
-                step.h,
-            );
-            bodies.attitude[row] = q;
-            bodies.spin[row].angular_velocity = w;
+            turn(bodies, row, angular_velocity, step.h);
         }
         for k in 0..self.forces.pivots.len() {
             let pivot = self.forces.pivots[k];
@@ -275,11 +284,11 @@ impl Lanes {
         let half = 0.5 * step.h;
         let inverse_inertia = bodies.solid[body].inverse_inertia;
         let push = bodies.push[body].angular_velocity;
-        let (q, w) = (bodies.attitude[body], bodies.spin[body].angular_velocity);
-        let w = w + rotation::moment(q, inverse_inertia, half * (q * arm).cross(weight));
-        let (q, w) = turned(q, w, push, inverse_inertia, step.h);
-        let w = w + rotation::moment(q, inverse_inertia, half * (q * arm).cross(weight));
-        bodies.attitude[body] = q;
+        bodies.momentum[body] += half * (bodies.attitude[body] * arm).cross(weight);
+        turn(bodies, body, push, step.h);
+        let q = bodies.attitude[body];
+        bodies.momentum[body] += half * (q * arm).cross(weight);
+        let w = rotation::moment(q, inverse_inertia, bodies.momentum[body]);
         bodies.spin[body].angular_velocity = w;
         bodies.place[body].position = point + q * arm;
         bodies.motion[body].velocity = w.cross(q * arm);
@@ -313,17 +322,30 @@ impl Lanes {
         for row in 0..self.bodies.rows() {
             let (q, solid) = (self.bodies.attitude[row], &self.bodies.solid[row]);
             let (motion, spin) = (&mut self.bodies.motion[row], &mut self.bodies.spin[row]);
-            exchange(
-                motion,
-                spin,
-                q,
-                solid,
-                &Held::default(),
-                &self.gathered[row].held,
-            );
+            let held = &self.gathered[row].held;
+            exchange(motion, spin, q, solid, &Held::default(), held);
+            self.bodies.momentum[row] += held.angular;
         }
     }
     // ANCHOR_END: bounce
+}
+
+/// A body turns for a substep, and is pushed.
+fn turn(bodies: &mut Bodies, row: usize, push: Vec3, h: f32) {
+    let (q, inverse_inertia) = (bodies.attitude[row], bodies.solid[row].inverse_inertia);
+    let (q, w) = if spin::is_round(inverse_inertia) {
+        turned(
+            q,
+            bodies.spin[row].angular_velocity,
+            push,
+            inverse_inertia,
+            h,
+        )
+    } else {
+        turned_with(q, bodies.momentum[row], push, inverse_inertia, h)
+    };
+    bodies.attitude[row] = q;
+    bodies.spin[row].angular_velocity = w;
 }
 
 /// The pairs of bodies that joints connect, the smaller row first, in order.

@@ -12,4 +12,5 @@ pub mod rules;
 pub mod schema;
 pub mod stream;
 
+pub use compute::ENGINE as COMPUTE;
 pub use lanes::ENGINE as LANES;

@@ -7,7 +7,7 @@ fn main() -> ExitCode {
         name: "ch06_compute",
         title: "6. Compute",
         about: "The whole step on the GPU, where every row writes only itself; and its twin on the CPU.",
-        engines: &[ch06_compute::LANES],
+        engines: &[ch06_compute::COMPUTE, ch06_compute::LANES],
         default_scene: "pile",
         scenes: ch00_scenes::builtin::NAMES,
     })

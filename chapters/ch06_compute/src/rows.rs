@@ -10,6 +10,7 @@ mod bodies;
 mod joints;
 mod layout;
 mod pairs;
+mod rigids;
 mod step;
 
 pub use balls::{Ball, GridOf, Mover, STATUS, Wall};
@@ -21,7 +22,11 @@ pub use joints::{
 pub(crate) use layout::rows;
 pub use layout::{FieldSpec, Row, WgslType, declaration};
 pub use pairs::{FIXED, Impulse, Manifold, Press, ROUND, WITH_A, WITH_B};
-pub use step::Step;
+pub use rigids::{
+    Before, Bound, Contact, Holding, Memory, Mouse, PAIR_STATUS, PAIR_STATUS_LEN, PairsOf, Partner,
+    Pivot, Pole, Pressed, Rigid, Scan, Total, status_place,
+};
+pub use step::{Drawn, Seen, Step};
 
 /// The WGSL of all rows, in the order in which they can be read.
 #[must_use]
@@ -41,10 +46,26 @@ pub fn wgsl() -> String {
         declaration::<Limit>(),
         declaration::<Turned>(),
         declaration::<Step>(),
+        declaration::<Drawn>(),
+        declaration::<Seen>(),
         declaration::<Mover>(),
         declaration::<Ball>(),
         declaration::<Wall>(),
         declaration::<GridOf>(),
+        declaration::<Rigid>(),
+        declaration::<Bound>(),
+        declaration::<Partner>(),
+        declaration::<Contact>(),
+        declaration::<Memory>(),
+        declaration::<Pressed>(),
+        declaration::<Total>(),
+        declaration::<Holding>(),
+        declaration::<Before>(),
+        declaration::<PairsOf>(),
+        declaration::<Scan>(),
+        declaration::<Mouse>(),
+        declaration::<Pivot>(),
+        declaration::<Pole>(),
         status(),
     ]
     .join("\n")
@@ -52,7 +73,7 @@ pub fn wgsl() -> String {
 
 /// The places of the numbers in `status`, as WGSL.
 fn status() -> String {
-    let places = STATUS.iter().enumerate();
+    let places = STATUS.iter().chain(&PAIR_STATUS).enumerate();
     places
         .map(|(place, (name, about))| format!("// {about}\nconst {name}: u32 = {place}u;\n"))
         .collect()

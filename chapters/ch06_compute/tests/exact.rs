@@ -65,7 +65,7 @@ fn watch(scene: &Scene, steps: u32, look: impl FnMut(u32, &State)) {
 fn after(scene: &Scene, seconds: f64) -> State {
     let mut end = State::default();
     watch(scene, steps(scene, seconds), |_, state| {
-        end.clone_from(state)
+        end.clone_from(state);
     });
     end
 }

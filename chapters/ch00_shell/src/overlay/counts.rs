@@ -1,7 +1,7 @@
 //! What the last step counted, and what was left undone: nothing is skipped in silence.
 
 use super::Section;
-use super::format::{row, rows};
+use super::format::{as_of, row, rows};
 use super::style::WARNING;
 use crate::stage::Stage;
 
@@ -26,9 +26,12 @@ impl Section for Counts {
             warn(ui, "overflow", &overflow, counters.overflow > 0).on_hover_text(
                 "what a capacity or an iteration limit left undone since the scene was loaded",
             );
-            let lost = stage.session().state_now().not_finite();
+            let lost = stage.session().not_finite();
             if lost > 0 {
                 warn(ui, "not finite", &lost.to_string(), true);
+            }
+            if let Some(counted) = as_of(stage.session()) {
+                row(ui, "counted", counted);
             }
             let dropped = stage.clock().dropped();
             warn(ui, "dropped time", &format!("{dropped:.2} s"), dropped > 0.5).on_hover_text(

@@ -4,7 +4,8 @@
 use egui_plot::{Corner, Legend, Line, Plot, PlotPoints};
 
 use super::Section;
-use super::format::{or_dash, row, rows};
+use super::format::{as_of, every_step, or_dash, row, rows};
+use crate::Session;
 use crate::history::Sample;
 use crate::stage::Stage;
 
@@ -37,6 +38,10 @@ impl Section for Errors {
             row(ui, "energy error", or_dash(error, relative));
             let error = last.and_then(|sample| sample.momentum_error);
             row(ui, "momentum error", or_dash(error, relative));
+            if let Some(measured) = measured(stage.session()) {
+                row(ui, "measured", measured)
+                    .on_hover_text("sums over all bodies: many bodies are not summed every step, and states on a device come back late");
+            }
         });
         let stride = samples.len().div_ceil(MOST_POINTS).max(1);
         let curve = |error: fn(&Sample) -> Option<f64>| -> PlotPoints<'static> {
@@ -53,6 +58,16 @@ impl Section for Errors {
         } else {
             plot(ui, energy, momentum);
         }
+    }
+}
+
+/// When and how often, where that is not after every step.
+fn measured(session: &Session) -> Option<String> {
+    let every = session.history().every();
+    let often = (every > 1).then(|| every_step(every));
+    match (as_of(session), often) {
+        (Some(when), Some(often)) => Some(format!("{when}, {often}")),
+        (when, often) => when.or(often),
     }
 }
 

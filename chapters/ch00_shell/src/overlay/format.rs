@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use crate::Session;
+
 /// A time in milliseconds, or in microseconds where it is short.
 pub fn time(time: Duration) -> String {
     let seconds = time.as_secs_f64();
@@ -35,6 +37,27 @@ pub fn or_dash<T>(value: Option<T>, show: impl Fn(T) -> String) -> String {
     value.map_or_else(|| "–".to_owned(), show)
 }
 
+/// When the numbers that are shown were true, where that isn't always now: `3 frames ago`.
+pub fn as_of(session: &Session) -> Option<String> {
+    session.is_late().then(|| match session.frames_late() {
+        0 => "now".to_owned(),
+        1 => "1 frame ago".to_owned(),
+        frames => format!("{frames} frames ago"),
+    })
+}
+
+/// `every 3rd step`.
+pub fn every_step(every: u64) -> String {
+    let end = match (every % 100, every % 10) {
+        (11..=13, _) => "th",
+        (_, 1) => "st",
+        (_, 2) => "nd",
+        (_, 3) => "rd",
+        _ => "th",
+    };
+    format!("every {every}{end} step")
+}
+
 /// Rows of a name and its value.
 pub fn rows(ui: &mut egui::Ui, id: &str, add: impl FnOnce(&mut egui::Ui)) {
     egui::Grid::new(id)
@@ -62,6 +85,14 @@ mod tests {
         assert_eq!(length(0.00001), "10.0 µm");
         assert_eq!(length(-0.0123), "-12.30 mm");
         assert_eq!(length(1.5), "1.500 m");
+    }
+
+    #[test]
+    fn steps_are_counted_as_they_are_said() {
+        let said = [2, 3, 10, 11, 13, 21, 112].map(every_step);
+        let ends = said.map(|text| text[6..].to_owned());
+        let expected = ["2nd", "3rd", "10th", "11th", "13th", "21st", "112th"];
+        assert_eq!(ends, expected.map(|end| format!("{end} step")));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use ch00_scenes::Layer;
 
 use super::Section;
+use super::format::as_of;
 use crate::stage::Stage;
 
 /// The section.
@@ -35,6 +36,10 @@ impl Section for Layers {
         if !possible.is_empty() {
             ui.checkbox(&mut stage.show.is_see_through, "bodies of glass meanwhile")
                 .on_hover_text("X");
+        }
+        let when = as_of(stage.session()).filter(|_| stage.show.is_any());
+        if let Some(when) = when {
+            ui.weak(format!("bodies and layers as they were: {when}"));
         }
     }
 }

@@ -11,7 +11,7 @@ mod layers;
 mod marks;
 mod narrow;
 mod notes;
-pub(crate) mod painter;
+mod painter;
 mod plan;
 mod properties;
 mod setup;
@@ -19,6 +19,8 @@ mod sheet;
 mod speed;
 mod still;
 mod style;
+#[cfg(test)]
+mod tests;
 mod transport;
 mod view;
 
@@ -188,9 +190,8 @@ impl Default for Panels {
 }
 
 impl Panels {
-    #[cfg(test)] pub fn bench_paint(&self, painter: &mut Painter, gpu:&Gpu, encoder: &mut wgpu::CommandEncoder, canvas: &Canvas, layout: Layout) { painter.paint(gpu, encoder, canvas, &self.context, layout); }
     /// Lays the panels out and lets them act on the stage.
-    pub fn lay_out(
+    fn lay_out(
         &mut self,
         input: egui::RawInput,
         size: [u32; 2],

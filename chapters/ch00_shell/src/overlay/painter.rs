@@ -107,7 +107,9 @@ impl Painter {
         triangles: &[ClippedPrimitive],
         screen: &egui_wgpu::ScreenDescriptor,
     ) {
-        if triangles.is_empty() && load == wgpu::LoadOp::Load {
+        let is_nothing = triangles.is_empty() && load == wgpu::LoadOp::Load;
+        // On a lost device egui's renderer would panic.
+        if is_nothing || gpu.failure().is_some() {
             return;
         }
         // Only paint callbacks give commands here, and the overlay has none.

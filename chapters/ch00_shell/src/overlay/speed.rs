@@ -3,6 +3,7 @@
 
 use super::Section;
 use super::format::{or_dash, row, rows, time};
+use crate::Session;
 use crate::stage::Stage;
 
 /// The section.
@@ -30,10 +31,28 @@ impl Section for Speed {
             let slow = or_dash(rate.p99(), time);
             row(ui, "frame p50 / p99", format!("{middle} / {slow}"))
                 .on_hover_text("of the last 600 frames");
-            row(ui, "step", time(stage.session().step_time()))
-                .on_hover_text("the engine's last step, without reading and measuring it");
+            step(ui, stage.session());
         });
         passes(ui, stage);
+    }
+}
+
+/// The last step's time. Where a device makes the step, it is only handed over, and the device says later
+/// how long it took.
+fn step(ui: &mut egui::Ui, session: &Session) {
+    let taken = time(session.step_time());
+    if !session.is_late() {
+        row(ui, "step", taken)
+            .on_hover_text("the engine's last step, without reading and measuring it");
+        return;
+    }
+    row(ui, "step handed over", taken)
+        .on_hover_text("to the device, which makes it while the program goes on");
+    let passes = session.engine().pass_times();
+    if !passes.is_empty() {
+        let sum = passes.iter().map(|pass| pass.time).sum();
+        row(ui, "step on the device", time(sum))
+            .on_hover_text("of a step some frames ago, without pauses between passes");
     }
 }
 

@@ -64,6 +64,7 @@ pub struct Bodies {
     moving: wgpu::RenderPipeline,
     resting: wgpu::RenderPipeline,
     ball_depths: wgpu::RenderPipeline,
+    ball_surfaces: wgpu::RenderPipeline,
     balls: wgpu::RenderPipeline,
     glass: Glass,
 }
@@ -129,6 +130,10 @@ impl Bodies {
             moving: maker.make(&moving),
             resting: maker.make(&resting),
             ball_depths: maker.make(&ball_depths),
+            ball_surfaces: maker.make(&Recipe {
+                entries: ["vs_ball", "fs_ball_surface"],
+                ..ball_depths
+            }),
             balls: maker.make(&balls),
             glass: Glass {
                 depths: maker.make(&Recipe {
@@ -197,6 +202,11 @@ impl Bodies {
     /// Draws the balls over what is behind them.
     pub fn draw_balls_only(&self, pass: &mut wgpu::RenderPass) {
         self.draw_balls_with(pass, &self.balls);
+    }
+
+    /// Draws the depths of the balls' surfaces, for what may be inside balls.
+    pub fn draw_ball_surfaces(&self, pass: &mut wgpu::RenderPass) {
+        self.draw_balls_with(pass, &self.ball_surfaces);
     }
 
     fn draw_balls_with(&self, pass: &mut wgpu::RenderPass, pipeline: &wgpu::RenderPipeline) {

@@ -217,3 +217,89 @@ fn shape_and_size(shape: &Shape) -> (usize, [f32; 4]) {
 fn count(i: usize) -> u32 {
     i as u32
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Session;
+    use crate::camera::{Camera, Viewport};
+    use crate::test_engine::balls;
+
+    /// A picture from beyond the last of balls in a row.
+    fn picture<'a>(session: &'a Session, camera: &'a Camera) -> Picture<'a> {
+        Picture {
+            session,
+            alpha: 1.0,
+            camera,
+            viewport: Viewport::whole([640, 360]),
+            scale: 1.0,
+            theme: Theme::Light,
+            margin: wgpu::Color::WHITE,
+            picked: None,
+            pair: None,
+            is_glass: false,
+            strokes: &[],
+            faces: &[],
+            is_as_read: false,
+        }
+    }
+
+    fn camera(around: &Surroundings) -> Camera {
+        let mut camera = Camera::framing(around, Viewport::whole([640, 360]));
+        camera.target = Vec3::new(100.0, 10.0, 0.0);
+        camera
+    }
+
+    fn order(looks: &Looks) -> Vec<u32> {
+        looks.all.iter().map(|look| look.body).collect()
+    }
+
+    #[test]
+    fn the_farthest_balls_come_first_as_edges_are_mixed_with_what_was_drawn() {
+        let session = balls(4);
+        let around = Surroundings::of(session.scene());
+        let mut camera = camera(&around);
+        let mut looks = Looks::default();
+        assert!(looks.follow(&picture(&session, &camera), &around));
+        assert_eq!(order(&looks), [0, 1, 2, 3]);
+        camera.target.x = -100.0;
+        assert!(looks.follow(&picture(&session, &camera), &around));
+        assert_eq!(order(&looks), [3, 2, 1, 0]);
+    }
+
+    #[test]
+    fn nothing_changes_from_frame_to_frame_but_the_order_now_and_then() {
+        let mut session = balls(4);
+        let around = Surroundings::of(session.scene());
+        let camera = camera(&around);
+        let mut looks = Looks::default();
+        let mut changed = Vec::new();
+        for _ in 0..=SORT_EVERY {
+            changed.push(looks.follow(&picture(&session, &camera), &around));
+            session.step();
+        }
+        let between = SORT_EVERY as usize - 1;
+        assert_eq!(
+            changed,
+            [vec![true], vec![false; between], vec![true]].concat()
+        );
+    }
+
+    #[test]
+    fn what_is_picked_changes_no_look_and_what_is_looked_at_does() {
+        let session = balls(4);
+        let around = Surroundings::of(session.scene());
+        let camera = camera(&around);
+        let mut looks = Looks::default();
+        let mut picture = picture(&session, &camera);
+        looks.follow(&picture, &around);
+        picture.picked = Some(1);
+        assert!(!looks.follow(&picture, &around));
+        picture.pair = Some([0, 2]);
+        picture.is_glass = true;
+        assert!(looks.follow(&picture, &around));
+        let kinds: Vec<_> = looks.groups.iter().map(|group| group.kind).collect();
+        assert_eq!(kinds, [Kind::Glass, Kind::Moving]);
+        assert_eq!(order(&looks), [1, 3, 0, 2]);
+    }
+}

@@ -30,6 +30,8 @@ pub use quality::Quality;
 pub use surroundings::Surroundings;
 pub use theme::Theme;
 
+use std::cell::RefCell;
+
 use ch00_scenes::Face;
 
 use crate::Session;
@@ -48,8 +50,6 @@ use scenery::Scenery;
 use shadow::ShadowMap;
 use targets::Targets;
 
-#[cfg(not(test))] fn off(_:&str)->bool {false}
-#[cfg(test)] use crate::bench_tmp::off;
 /// What to draw.
 pub struct Picture<'a> {
     /// The bodies.
@@ -117,6 +117,7 @@ impl Renderer {
             layout: &layouts.scene,
             format,
             quality: &quality,
+            modules: RefCell::default(),
         };
         let bodies = Bodies::new(&maker, &gpu.queue);
         let scenery = Scenery::new(&maker);
@@ -198,7 +199,7 @@ impl Renderer {
         pass.set_bind_group(0, &self.bindings.shadow, &[]);
         self.rows.bind(&mut pass);
         let corners = ball_shadow_corners(picture.session.scene().bodies.len());
-        if !off("shadow") {self.bodies.draw_shadows(&mut pass, &self.shadow, corners);}
+        self.bodies.draw_shadows(&mut pass, &self.shadow, corners);
     }
 
     fn draw_scene(
@@ -217,10 +218,14 @@ impl Renderer {
         pass.set_viewport(origin.x, origin.y, extent.x, extent.y, 0.0, 1.0);
         pass.set_bind_group(0, &self.bindings.scene, &[]);
         self.rows.bind(&mut pass);
-        if !off("balls") {self.bodies.draw_ball_depths(&mut pass);}
+        self.bodies.draw_ball_depths(&mut pass);
         self.bodies.draw_all_but_balls(&mut pass);
-        if !off("scenery") {self.scenery.draw(&mut pass);}
-        if !off("balls") {self.bodies.draw_balls_only(&mut pass);}
+        self.scenery.draw(&mut pass);
+        self.bodies.draw_balls_only(&mut pass);
+        let has_drawings = !picture.strokes.is_empty() || !picture.faces.is_empty();
+        if has_drawings || self.rods.is_any() {
+            self.bodies.draw_ball_surfaces(&mut pass);
+        }
         self.faces.draw_hidden(&mut pass);
         self.lines.draw_hidden(&mut pass);
         self.rods.draw_hidden(&mut pass);

@@ -1,6 +1,9 @@
 //! Making the pipelines of the scene's pass: what they have in common stands here once, and
 //! a [`Recipe`] says what differs.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use super::quality::Quality;
 use super::shaders::Shader;
 use super::targets::DEPTH_FORMAT;
@@ -39,12 +42,16 @@ pub struct PipelineMaker<'a> {
     pub format: wgpu::TextureFormat,
     /// How many samples a pixel has.
     pub quality: &'a Quality,
+    /// The shaders that were read so far.
+    pub modules: RefCell<BTreeMap<&'static str, wgpu::ShaderModule>>,
 }
 
 impl PipelineMaker<'_> {
     /// Makes a pipeline.
     pub fn make(&self, recipe: &Recipe) -> wgpu::RenderPipeline {
-        let module = recipe.shader.module(self.device);
+        let mut modules = self.modules.borrow_mut();
+        let read = || recipe.shader.module(self.device);
+        let module = modules.entry(recipe.shader.file).or_insert_with(read);
         let options = wgpu::PipelineCompilationOptions {
             constants: recipe.constants,
             ..Default::default()
@@ -57,7 +64,7 @@ impl PipelineMaker<'_> {
                 label: Some(recipe.entries[1]),
                 layout: Some(self.layout),
                 vertex: wgpu::VertexState {
-                    module: &module,
+                    module,
                     entry_point: Some(recipe.entries[0]),
                     compilation_options: options.clone(),
                     buffers: recipe.buffers,
@@ -79,7 +86,7 @@ impl PipelineMaker<'_> {
                     ..Default::default()
                 },
                 fragment: Some(wgpu::FragmentState {
-                    module: &module,
+                    module,
                     entry_point: Some(recipe.entries[1]),
                     compilation_options: options,
                     targets: &[Some(wgpu::ColorTargetState {

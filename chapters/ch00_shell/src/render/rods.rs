@@ -31,7 +31,7 @@ const COLOR: [u8; 4] = [120, 130, 140, 255];
 
 /// The rods of a scene and the pipelines that draw them.
 pub struct Rods {
-    rods: GrowingBuffer,
+    lines: GrowingBuffer,
     count: u32,
     /// How many bodies the scene had that they are of.
     bodies: Option<usize>,
@@ -47,7 +47,7 @@ impl Rods {
             attributes: &ROD,
         };
         Self {
-            rods: GrowingBuffer::new(maker.device, "rods", wgpu::BufferUsages::VERTEX),
+            lines: GrowingBuffer::new(maker.device, "rods", wgpu::BufferUsages::VERTEX),
             count: 0,
             bodies: None,
             pipelines: LinePipelines::new(maker, "vs_rod", layout),
@@ -66,19 +66,24 @@ impl Rods {
         }
         self.bodies = Some(scene.bodies.len());
         let rods = rods_of(scene);
-        self.rods.write(device, queue, &rods);
+        self.lines.write(device, queue, &rods);
         // More than 2³² rods would draw none.
         self.count = u32::try_from(rods.len()).unwrap_or(0);
     }
 
+    /// Whether the scene has any.
+    pub fn is_any(&self) -> bool {
+        self.count > 0
+    }
+
     /// Draws them faintly where something hides them.
     pub fn draw_hidden(&self, pass: &mut wgpu::RenderPass) {
-        self.pipelines.draw_hidden(pass, &self.rods, self.count);
+        self.pipelines.draw_hidden(pass, &self.lines, self.count);
     }
 
     /// Draws them where nothing hides them.
     pub fn draw(&self, pass: &mut wgpu::RenderPass) {
-        self.pipelines.draw(pass, &self.rods, self.count);
+        self.pipelines.draw(pass, &self.lines, self.count);
     }
 }
 

@@ -50,12 +50,11 @@ impl Rows {
         let resident = session
             .resident()
             .filter(|resident| !picture.is_as_read && resident.gpu.device == gpu.device);
-        let buffer = match resident {
-            Some(resident) => resident.bodies.clone(),
-            None => {
-                self.write(gpu, session);
-                self.own.buffer().clone()
-            }
+        let buffer = if let Some(resident) = resident {
+            resident.bodies.clone()
+        } else {
+            self.write(gpu, session);
+            self.own.buffer().clone()
         };
         let rows = session.scene().bodies.len().max(1);
         let bytes = (rows * size_of::<Drawn>()) as u64;

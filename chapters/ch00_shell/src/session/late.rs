@@ -129,22 +129,18 @@ impl Session {
             return false;
         };
         let failed = self.entry.name;
-        let told = match self.replacement() {
-            Some((entry, engine)) => {
-                self.go_on_with(entry, engine);
-                let Self { steps, .. } = *self;
-                format!(
-                    "engine `{failed}` failed: {why}. `{}` goes on after step {steps}, whose state \
-                     came back last",
-                    entry.name
-                )
-            }
-            None => {
-                let told =
-                    format!("engine `{failed}` failed: {why}. No other engine can go on here");
-                self.failure = Some(told.clone());
-                told
-            }
+        let told = if let Some((entry, engine)) = self.replacement() {
+            self.go_on_with(entry, engine);
+            format!(
+                "The engine `{failed}` failed: {why}. `{}` goes on after step {}, whose state came back \
+                 last",
+                entry.name, self.steps
+            )
+        } else {
+            let told =
+                format!("The engine `{failed}` failed: {why}. No other engine can go on here");
+            self.failure = Some(told.clone());
+            told
         };
         self.notice = Some(told);
         true

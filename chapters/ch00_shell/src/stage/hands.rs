@@ -117,7 +117,7 @@ mod tests {
     use crate::clock::Pace;
     use crate::show::Show;
     use crate::stage::tests::stage;
-    use crate::test_engine::{CHAPTER, FALLING, balls};
+    use crate::test_engine::{CHAPTER, FALLING, balls, resident_balls};
 
     /// A line of sight at the first body.
     fn sight(stage: &Stage) -> Ray {
@@ -161,6 +161,26 @@ mod tests {
         stage.let_go();
         assert!(stage.pulled().is_none());
         assert_eq!(stage.picked, Some(0));
+    }
+
+    #[test]
+    fn a_body_on_the_device_is_grabbed_and_followed_though_its_place_is_late() {
+        let mut stage = Stage::new(CHAPTER, resident_balls(3), Pace::Fixed, Show::default());
+        for _ in 0..3 {
+            stage.advance(stage.session().dt());
+        }
+        assert!(stage.session().frames_late() > 0);
+        let drawn = stage.session().pose(0, stage.alpha()).0.as_vec3();
+        let sight = Ray {
+            origin: drawn + 10.0 * Vec3::Z,
+            direction: Vec3::NEG_Z,
+        };
+        assert!(stage.grab(sight));
+        assert_eq!(stage.picked, Some(0));
+        stage.follow_body(Some(0));
+        stage.advance(0.0);
+        let drawn = stage.session().pose(0, stage.alpha()).0.as_vec3();
+        assert_eq!(stage.camera.target, drawn);
     }
 
     #[test]

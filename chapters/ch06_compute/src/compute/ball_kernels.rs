@@ -1,16 +1,20 @@
 //! The kernels of a step of balls, each compiled once and bound to the columns between which the state
 //! goes back and forth.
 
+use std::collections::VecDeque;
+
 use crate::stream::{Gpu, Kernel, Passes, StreamError, source};
 
 /// Counts in a block of the scan: `ch06_scan.wgsl` has it too.
-pub const PER_BLOCK: usize = 2048;
+pub const PER_BLOCK: usize = 4096;
 
 /// Which of two columns holds what is true now.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sides {
+pub struct Sides {
     places: usize,
     movers: usize,
+    /// What holds balls.
+    helds: usize,
     /// Attitudes, what stays with a ball, and the lists of neighbours: they change once a step.
     step: usize,
 }
@@ -32,6 +36,7 @@ const PLACES: [&str; 2] = ["places_a", "places_b"];
 const MOVERS: [&str; 2] = ["movers_a", "movers_b"];
 const ATTITUDES: [&str; 2] = ["attitudes_a", "attitudes_b"];
 const BALLS: [&str; 2] = ["balls_a", "balls_b"];
+const HELDS: [&str; 2] = ["helds_a", "helds_b"];
 const COUNTS: [&str; 2] = ["neighbour_counts_a", "neighbour_counts_b"];
 const NEIGHBOURS: [&str; 2] = ["neighbours_a", "neighbours_b"];
 const IMPULSES: [&str; 2] = ["impulses_a", "impulses_b"];
@@ -42,7 +47,7 @@ struct Bound(Vec<Kernel>);
 
 impl Bound {
     fn at(&self, sides: Sides) -> &Kernel {
-        &self.0[4 * sides.places + 2 * sides.movers + sides.step]
+        &self.0[8 * sides.helds + 4 * sides.places + 2 * sides.movers + sides.step]
     }
 }
 
@@ -54,11 +59,34 @@ pub struct BallKernels {
     scatter: Kernel,
     sort: Bound,
     meet: Bound,
-    halt: Kernel,
     solve: Bound,
     solve_last: Bound,
     bounce: Option<Bound>,
+    state: Bound,
+    pull: Bound,
+    /// Invocations that solve a ball together.
+    team: usize,
     sides: Sides,
+    /// Of the steps that may still turn out to have had no room: their length, s, and how the sides stood
+    /// after the rows were sorted.
+    waiting: VecDeque<(f32, Sides)>,
+}
+
+/// How much a step has to do.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sizes {
+    /// How many balls there are.
+    pub rows: usize,
+    /// How many starts of slots.
+    pub starts: usize,
+    /// Parts of a step.
+    pub substeps: u32,
+    /// Length of the step, s.
+    pub dt: f32,
+    /// Whether rows are written for drawing.
+    pub draws: bool,
+    /// Whether the mouse pulls.
+    pub pulls: bool,
 }
 
 /// The columns that a kernel binds, given how the sides stand.
@@ -69,13 +97,17 @@ impl BallKernels {
     ///
     /// # Errors
     /// [`StreamError::Kernel`].
-    pub fn of(gpu: &Gpu, alike: bool, bounces: bool) -> Result<Self, StreamError> {
+    pub fn of(gpu: &Gpu, rows: usize, alike: bool, bounces: bool) -> Result<Self, StreamError> {
+        let team = team_for(gpu, rows);
+        let sums = if team > 1 { 64.0 } else { 1.0 };
         let plan = |last: bool| {
             let flag = |on: bool| f64::from(u8::from(on));
             [
                 ("ALIKE", flag(alike)),
                 ("BOUNCES", flag(bounces)),
                 ("LAST", flag(last)),
+                ("TEAM", team as f64),
+                ("SUMS", sums),
             ]
         };
         let scan = |entry| plain(gpu, "scan", "ch06_scan", entry);
@@ -84,8 +116,14 @@ impl BallKernels {
             scan: [scan("scan_blocks")?, scan("scan_sums")?, scan("scan_add")?],
             scatter: plain(gpu, "scatter", "ch06_scatter", "scatter")?,
             sort: bound(gpu, "sort", "ch06_sort", "sort", &[], name_sort)?,
-            meet: bound(gpu, "meet", "ch06_neighbours", "meet", &[], name_meet)?,
-            halt: plain(gpu, "halt", "ch06_neighbours", "halt")?,
+            meet: bound(
+                gpu,
+                "meet",
+                "ch06_neighbours",
+                "meet",
+                &[("TEAM", team as f64), ("SUMS", sums)],
+                name_meet,
+            )?,
             solve: bound(
                 gpu,
                 "solve",
@@ -107,7 +145,11 @@ impl BallKernels {
             } else {
                 None
             },
+            state: bound(gpu, "state", "ch06_state", "state", &[], name_state)?,
+            pull: bound(gpu, "pull", "ch06_pull", "pull", &[], name_state)?,
+            team,
             sides: Sides::default(),
+            waiting: VecDeque::new(),
         })
     }
 
@@ -118,6 +160,7 @@ impl BallKernels {
             places,
             movers,
             step,
+            ..
         } = self.sides;
         Names {
             places: PLACES[places],
@@ -132,32 +175,45 @@ impl BallKernels {
     ///
     /// # Errors
     /// What the device can lack.
-    pub fn step(
-        &mut self,
-        passes: &mut Passes<'_>,
-        rows: usize,
-        starts: usize,
-        substeps: u32,
-    ) -> Result<(), StreamError> {
+    pub fn step(&mut self, passes: &mut Passes<'_>, sizes: &Sizes) -> Result<(), StreamError> {
+        self.sort(passes, sizes)?;
+        self.waiting.push_back((sizes.dt, self.sides));
+        self.rest(passes, sizes)
+    }
+
+    /// Its first half: rows move into grid order.
+    fn sort(&mut self, passes: &mut Passes<'_>, sizes: &Sizes) -> Result<(), StreamError> {
+        let (rows, starts) = (sizes.rows, sizes.starts);
         passes.section("grid");
         passes.run(self.cells.at(self.sides), rows)?;
-        passes.run_workgroups(&self.scan[0], starts.div_ceil(PER_BLOCK))?;
-        passes.run_workgroups(&self.scan[1], 1)?;
-        passes.run(&self.scan[2], starts)?;
+        let blocks = starts.div_ceil(PER_BLOCK);
+        passes.run_workgroups(&self.scan[0], blocks)?;
+        if blocks > 1 {
+            passes.run_workgroups(&self.scan[1], 1)?;
+            passes.run(&self.scan[2], starts)?;
+        }
         passes.run(&self.scatter, rows)?;
         passes.section("sort");
         passes.run(self.sort.at(self.sides), rows)?;
         self.sides.step ^= 1;
         self.flip();
+        Ok(())
+    }
+
+    /// Its second half: neighbours, substeps, restitution. It is made again if neighbours had no room.
+    fn rest(&mut self, passes: &mut Passes<'_>, sizes: &Sizes) -> Result<(), StreamError> {
+        let rows = sizes.rows;
         passes.section("neighbours");
-        passes.run(self.meet.at(self.sides), rows)?;
-        passes.run_workgroups(&self.halt, 1)?;
+        if sizes.pulls {
+            passes.run(self.pull.at(self.sides), rows)?;
+        }
+        passes.run(self.meet.at(self.sides), rows * self.team)?;
         self.flip();
         passes.section("substeps");
-        for substep in 1..=substeps {
-            let last = substep == substeps;
+        for substep in 1..=sizes.substeps {
+            let last = substep == sizes.substeps;
             let solve = if last { &self.solve_last } else { &self.solve };
-            passes.run(solve.at(self.sides), rows)?;
+            passes.run(solve.at(self.sides), rows * self.team)?;
             self.flip();
         }
         passes.section("restitution");
@@ -165,14 +221,94 @@ impl BallKernels {
             passes.run(bounce.at(self.sides), rows)?;
             self.sides.movers ^= 1;
         }
+        if sizes.draws {
+            passes.section("state");
+            passes.run(self.state.at(self.sides), rows)?;
+        }
         Ok(())
     }
     // ANCHOR_END: step
+
+    /// Invocations that solve a ball together.
+    #[must_use]
+    pub fn team(&self) -> usize {
+        self.team
+    }
+
+    /// The passes of a step by name, each once.
+    #[must_use]
+    pub fn names(&self) -> Vec<&'static str> {
+        let mut names = vec![
+            "cells",
+            "scan",
+            "scatter",
+            "sort",
+            "meet",
+            "solve (each substep)",
+        ];
+        names.extend(self.bounce.as_ref().map(|_| "bounce"));
+        names
+    }
+
+    /// Steps that may still turn out to have had no room.
+    #[must_use]
+    pub fn waiting(&self) -> usize {
+        self.waiting.len()
+    }
+
+    /// All but the last so many steps were made.
+    pub fn made_but(&mut self, missing: usize) {
+        let made = self.waiting.len().saturating_sub(missing);
+        self.waiting.drain(..made);
+    }
+
+    /// The steps that weren't made, to be made again.
+    pub fn take_waiting(&mut self) -> VecDeque<(f32, Sides)> {
+        std::mem::take(&mut self.waiting)
+    }
+
+    // ANCHOR: again
+    /// Makes the first step again that wasn't made, since neighbours had no room: its rows are sorted
+    /// already, and nothing else has been written.
+    ///
+    /// # Errors
+    /// What the device can lack.
+    pub fn again(
+        &mut self,
+        passes: &mut Passes<'_>,
+        sizes: &Sizes,
+        sides: Sides,
+    ) -> Result<(), StreamError> {
+        self.sides = sides;
+        self.waiting.push_back((sizes.dt, sides));
+        self.rest(passes, sizes)
+    }
+    // ANCHOR_END: again
+
+    /// Writes rows for drawing without a step.
+    ///
+    /// # Errors
+    /// What the device can lack.
+    pub fn draw(&self, passes: &mut Passes<'_>, rows: usize) -> Result<(), StreamError> {
+        passes.run(self.state.at(self.sides), rows)
+    }
 
     /// What was next is now.
     fn flip(&mut self) {
         self.sides.places ^= 1;
         self.sides.movers ^= 1;
+        self.sides.helds ^= 1;
+    }
+}
+
+/// How many invocations solve a ball together. Where there are few balls most of a device has nothing to do,
+/// and what counts is how long a ball takes; where there are many, each has enough with one.
+fn team_for(gpu: &Gpu, rows: usize) -> usize {
+    match rows {
+        _ if gpu.is_software => 1,
+        0..16_000 => 8,
+        16_000..60_000 => 4,
+        _ => 1,
     }
 }
 
@@ -189,8 +325,9 @@ fn bound(
     naming: Naming,
 ) -> Result<Bound, StreamError> {
     let kernel = Kernel::new(gpu, name, &source(file)?, entry, plan)?;
-    let all = (0..8).map(|way| {
+    let all = (0..16).map(|way| {
         let sides = Sides {
+            helds: way >> 3 & 1,
             places: way >> 2 & 1,
             movers: way >> 1 & 1,
             step: way & 1,
@@ -234,6 +371,7 @@ fn name_meet(s: Sides) -> Vec<(&'static str, &'static str)> {
         ("impulses", IMPULSES[s.step]),
         ("places_next", PLACES[s.places ^ 1]),
         ("movers_next", MOVERS[s.movers ^ 1]),
+        ("helds_next", HELDS[s.helds ^ 1]),
     ]
 }
 
@@ -248,6 +386,8 @@ fn name_solve(s: Sides) -> Vec<(&'static str, &'static str)> {
         ("places_next", PLACES[s.places ^ 1]),
         ("movers_next", MOVERS[s.movers ^ 1]),
         ("attitudes", ATTITUDES[s.step]),
+        ("helds", HELDS[s.helds]),
+        ("helds_next", HELDS[s.helds ^ 1]),
     ]
 }
 
@@ -259,5 +399,14 @@ fn name_bounce(s: Sides) -> Vec<(&'static str, &'static str)> {
         ("neighbour_counts", COUNTS[s.step]),
         ("neighbours", NEIGHBOURS[s.step]),
         ("movers_next", MOVERS[s.movers ^ 1]),
+    ]
+}
+
+fn name_state(s: Sides) -> Vec<(&'static str, &'static str)> {
+    vec![
+        ("places", PLACES[s.places]),
+        ("movers", MOVERS[s.movers]),
+        ("attitudes", ATTITUDES[s.step]),
+        ("balls", BALLS[s.step]),
     ]
 }

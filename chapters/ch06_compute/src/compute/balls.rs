@@ -2,18 +2,27 @@
 //! contacts and writes only itself. A contact is solved twice, once from each end; in return a substep
 //! is one pass.
 
-use ch00_scenes::{Scene, State};
-use glam::{DQuat, DVec3, Quat, Vec4};
+use ch00_scenes::{Counters, Scene, State};
+use glam::{Quat, Vec4};
 
-use super::ball_kernels::BallKernels;
+use super::ball_kernels::{BallKernels, Sizes};
+use super::explain;
 use crate::bodies::Bodies;
-use crate::grid::{Grid, largest_in_grid, margin_of};
-use crate::rows::{Ball, GridOf, Held, Mover, Place, STATUS, Wall};
+use crate::grid::{Grid, margin_of};
+use crate::rows::{Ball, Drawn, GridOf, Held, Mouse, Mover, Place, STATUS, Seen, Wall};
 use crate::rules::{MARGIN, Rules};
 use crate::stream::{Columns, Gpu, Passes, StreamError, Timer};
 
 /// For how many neighbours a row has room at first.
 pub const ROOM: usize = 24;
+
+/// Edge of a cell, in radii of the widest ball: measured on an H200. Smaller cells hold fewer balls that are
+/// too far away, and are more.
+const EDGE: f32 = 2.2;
+
+/// Largest ratio of radii: a ball of three times the radius is touched by up to 57 small ones, and an
+/// invocation notes up to 64.
+const MOST_RATIO: f32 = 3.01;
 
 /// Most walls: every ball looks at each.
 pub const MOST_WALLS: usize = 64;
@@ -25,14 +34,20 @@ pub struct Balls {
     kernels: BallKernels,
     rules: Rules,
     grid: GridOf,
-    /// What was written last, so that it is written again only when it changes.
+    /// How many balls there are.
+    rows: usize,
+    /// The length of step that stands in the uniforms, s.
     dt: f32,
-    /// How many steps were recorded since loading.
+    /// How many steps were handed to the device since loading.
     steps: u32,
-    /// Static bodies: the index in the scene and their pose, which never changes.
-    state: State,
-    /// By ball: its index in the scene.
-    pub(super) rows: usize,
+    /// What all bodies are, for when they are put elsewhere.
+    bodies: Bodies,
+    /// Where they were put last; static ones are still there.
+    start: State,
+    draws: bool,
+    pulls: bool,
+    /// How many rows were not finite, the first of them, and how many were fast, as it last came down.
+    seen: [u32; 3],
 }
 
 impl Balls {
@@ -50,7 +65,6 @@ impl Balls {
                 .filter(moving)
                 .map(|row| bodies.place[row].reach)
         };
-        let limit = largest_in_grid(reaches().collect());
         if !scene.joints.is_empty() || !scene.forces.is_empty() {
             return Some("it has joints or forces");
         }
@@ -63,7 +77,9 @@ impl Balls {
         if walls > MOST_WALLS {
             return Some("it has too many static bodies");
         }
-        (reaches().any(|reach| reach > limit)).then_some("one ball is much larger than the others")
+        let narrowest = reaches().fold(f32::INFINITY, f32::min);
+        let has_large = reaches().any(|reach| reach > MOST_RATIO * narrowest);
+        has_large.then_some("one ball is much larger than another: too many can touch it")
     }
 
     /// Loads the balls and walls of a scene.
@@ -71,30 +87,45 @@ impl Balls {
     /// # Errors
     /// [`StreamError::TooLarge`] before anything is allocated, and what else a device can lack.
     pub fn of(gpu: &Gpu, scene: &Scene, rules: Rules) -> Result<Self, StreamError> {
+        Self::with_room(gpu, scene, rules, ROOM)
+    }
+
+    /// The same with room for so many neighbours at first.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn with_room(
+        gpu: &Gpu,
+        scene: &Scene,
+        rules: Rules,
+        room: usize,
+    ) -> Result<Self, StreamError> {
         let bodies = Bodies::of(scene);
-        let walls = walls_of(&bodies);
-        let moving: Vec<usize> = (0..bodies.rows())
-            .filter(|&row| !bodies.is_static(row))
-            .collect();
-        let grid = grid_of(&bodies, &moving, walls.len());
+        let (walls, moving) = (walls_of(&bodies), moving(&bodies));
+        let mut grid = grid_of(&bodies, &moving, walls.len());
+        grid.room = room as u32;
         let mut columns = Columns::new(gpu);
-        allocate(&mut columns, &grid, &walls)?;
-        let alike = is_alike(&bodies);
+        allocate(&mut columns, &grid, &walls, bodies.rows())?;
         let bounces = bodies
             .material
             .iter()
             .any(|material| material.restitution > 0.0);
-        let kernels = BallKernels::of(gpu, alike, bounces)?;
+        let kernels = BallKernels::of(gpu, moving.len(), is_alike(&bodies), bounces)?;
         let mut balls = Self {
             columns,
             kernels,
             rules,
             grid,
-            dt: 0.0,
-            steps: 0,
-            state: State::start_of(scene),
             rows: moving.len(),
+            dt: f32::NAN,
+            steps: 0,
+            start: State::start_of(scene),
+            bodies,
+            draws: false,
+            pulls: false,
+            seen: [0, u32::MAX, 0],
         };
+        let bodies = balls.bodies.clone();
         balls.upload(&bodies, &moving)?;
         Ok(balls)
     }
@@ -109,62 +140,52 @@ impl Balls {
         self.columns.write(names.places, &places)?;
         self.columns.write(names.movers, &movers)?;
         self.columns.write(names.attitudes, &attitudes)?;
-        self.columns.write(names.balls, &balls)
-    }
-
-    // ANCHOR: record
-    /// Records a step of `dt` seconds.
-    ///
-    /// # Errors
-    /// What the device can lack.
-    pub fn record(
-        &mut self,
-        passes_of: &mut Vec<wgpu::CommandBuffer>,
-        dt: f32,
-    ) -> Result<(), StreamError> {
-        self.set_dt(dt)?;
-        let mut passes = Passes::new(&self.columns);
-        let starts = self.grid.starts as usize;
-        self.kernels
-            .step(&mut passes, self.rows, starts, self.rules.substeps)?;
-        self.steps += 1;
-        passes_of.push(passes.finish());
+        self.columns.write(names.balls, &balls)?;
+        if self.draws {
+            self.write_drawn()?;
+        }
         Ok(())
     }
-    // ANCHOR_END: record
 
+    // ANCHOR: step
     /// Makes steps of `dt` seconds, without waiting for them.
     ///
     /// # Errors
     /// What the device can lack.
     pub fn step(&mut self, dt: f32, count: u32) -> Result<(), StreamError> {
-        let mut recorded = Vec::new();
+        self.set_dt(dt)?;
+        let sizes = self.sizes();
+        let mut passes = Passes::new(&self.columns);
         for _ in 0..count {
-            self.record(&mut recorded, dt)?;
+            self.kernels.step(&mut passes, &sizes)?;
         }
-        let gpu = self.columns.gpu();
-        gpu.queue.submit(recorded);
-        gpu.check()
+        self.steps += count;
+        passes.submit()
     }
+    // ANCHOR_END: step
 
-    /// Makes a step and says how long each part took.
+    /// Makes a step, without waiting; `timer` will know how long each part took.
     ///
     /// # Errors
     /// What the device can lack.
-    pub fn timed_step(
-        &mut self,
-        dt: f32,
-        timer: &mut Timer,
-    ) -> Result<Vec<(&'static str, std::time::Duration)>, StreamError> {
+    pub fn timed_step(&mut self, dt: f32, timer: &mut Timer) -> Result<(), StreamError> {
         self.set_dt(dt)?;
+        let sizes = self.sizes();
         let mut passes = Passes::timed(&self.columns, timer);
-        let starts = self.grid.starts as usize;
-        self.kernels
-            .step(&mut passes, self.rows, starts, self.rules.substeps)?;
+        self.kernels.step(&mut passes, &sizes)?;
         self.steps += 1;
-        passes.submit()?;
-        self.columns.gpu().wait()?;
-        Ok(timer.latest(self.columns.gpu()).unwrap_or_default())
+        passes.submit()
+    }
+
+    fn sizes(&self) -> Sizes {
+        Sizes {
+            rows: self.rows,
+            starts: self.grid.starts as usize,
+            substeps: self.rules.substeps,
+            dt: self.dt,
+            draws: self.draws,
+            pulls: self.pulls,
+        }
     }
 
     /// Writes the uniforms if the step's length has changed.
@@ -175,8 +196,8 @@ impl Balls {
         self.dt = dt;
         self.grid.dt = dt;
         self.columns.write("grid", &[self.grid])?;
-        self.columns
-            .write("step", &[self.rules.step(dt, self.rows)])
+        let step = self.rules.step(dt, self.rows);
+        self.columns.write("step", &[step])
     }
 
     /// What the kernels say of how it goes, in the order of [`STATUS`].
@@ -188,32 +209,218 @@ impl Balls {
         Ok(std::array::from_fn(|place| read[place]))
     }
 
-    /// Waits for all steps, and reads where every body is.
+    // ANCHOR: settle
+    /// Waits for all steps, and makes those again for whose neighbours there was no room, with more.
+    ///
+    /// # Errors
+    /// A lost device, or no memory for so much room.
+    pub fn settle(&mut self) -> Result<(), StreamError> {
+        loop {
+            let [needed, not_finite, first, fast, steps] = self.status()?;
+            self.seen = [not_finite, first, fast];
+            self.kernels.made_but((self.steps - steps) as usize);
+            if needed <= self.grid.room {
+                return Ok(());
+            }
+            self.make_room(needed)?;
+            for (number, (dt, sides)) in self.kernels.take_waiting().into_iter().enumerate() {
+                self.set_dt(dt)?;
+                let sizes = self.sizes();
+                let mut passes = Passes::new(&self.columns);
+                if number == 0 {
+                    self.kernels.again(&mut passes, &sizes, sides)?;
+                } else {
+                    self.kernels.step(&mut passes, &sizes)?;
+                }
+                passes.submit()?;
+            }
+        }
+    }
+    // ANCHOR_END: settle
+
+    /// Makes room for so many neighbours a ball, and some more.
+    fn make_room(&mut self, needed: u32) -> Result<(), StreamError> {
+        let room = needed.next_multiple_of(8);
+        let rows = self.grid.capacity as usize * room as usize;
+        for side in ["a", "b"] {
+            self.columns.reserve(&format!("neighbours_{side}"), rows)?;
+            self.columns.reserve(&format!("impulses_{side}"), rows)?;
+        }
+        self.columns.reserve("approaches", rows)?;
+        self.grid.room = room;
+        self.dt = f32::NAN;
+        self.columns.write_at("status", 0, &[0_u32])
+    }
+
+    /// Waits for all steps, and writes where every body is into `state`.
     ///
     /// # Errors
     /// A lost device.
-    pub fn read(&mut self) -> Result<&State, StreamError> {
+    pub fn read(&mut self, state: &mut State) -> Result<(), StreamError> {
+        self.settle()?;
         let names = self.kernels.current();
         let places: Vec<Place> = self.columns.read(names.places)?;
         let movers: Vec<Mover> = self.columns.read(names.movers)?;
-        let attitudes: Vec<Vec4> = self.columns.read(names.attitudes)?;
+        let attitudes: Vec<Quat> = self.columns.read(names.attitudes)?;
         let balls: Vec<Ball> = self.columns.read(names.balls)?;
+        state.clone_from(&self.start);
         for (row, ball) in balls.iter().enumerate().take(self.rows) {
             let id = ball.id as usize;
-            let q = attitudes[row];
-            self.state.position[id] = places[row].position.as_dvec3();
-            self.state.linear_velocity[id] = movers[row].velocity.as_dvec3();
-            self.state.angular_velocity[id] = DVec3::from(movers[row].angular_velocity);
-            let q = DQuat::from_array(q.to_array().map(f64::from));
-            self.state.orientation[id] = q.normalize();
+            state.position[id] = places[row].position.as_dvec3();
+            state.orientation[id] = attitudes[row].as_dquat().normalize();
+            state.linear_velocity[id] = movers[row].velocity.as_dvec3();
+            state.angular_velocity[id] = movers[row].angular_velocity.as_dvec3();
         }
-        Ok(&self.state)
+        Ok(())
+    }
+
+    /// Takes over where bodies are and how they move; what they pressed is forgotten.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn write(&mut self, state: &State) -> Result<(), StreamError> {
+        self.settle()?;
+        self.start.clone_from(state);
+        let mut bodies = self.bodies.clone();
+        bodies.write(state);
+        let moving = moving(&bodies);
+        self.upload(&bodies, &moving)?;
+        self.columns.clear("neighbour_counts_a")?;
+        self.columns.clear("neighbour_counts_b")
+    }
+
+    /// Draws from now on: a row [`Drawn`] a body, in column `drawn`, and a row [`Seen`] in `seen`.
+    ///
+    /// # Errors
+    /// No memory for them.
+    pub fn draw(&mut self) -> Result<(), StreamError> {
+        self.draws = true;
+        self.write_drawn()
+    }
+
+    /// Writes the rows for drawing as if all had stood still.
+    fn write_drawn(&mut self) -> Result<(), StreamError> {
+        let drawn: Vec<Drawn> = (0..self.start.len())
+            .map(|i| drawn_at(&self.start, i))
+            .collect();
+        let seen: Vec<Seen> = (0..self.start.len())
+            .map(|i| seen_at(&self.start, i))
+            .collect();
+        self.columns.write("drawn", &drawn)?;
+        self.columns.write("seen", &seen)
+    }
+
+    /// The mouse pulls at a ball from now on, or lets go.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn pull(&mut self, mouse: Option<Mouse>) -> Result<(), StreamError> {
+        self.pulls = mouse.is_some();
+        self.columns.write("mouse", &[mouse.unwrap_or_default()])
+    }
+
+    /// What a late look at the status says; true if steps must be made again, which it waits for.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn take_status(&mut self, status: &[u32]) -> Result<bool, StreamError> {
+        let &[needed, not_finite, first, fast, _] = status else {
+            return Ok(false);
+        };
+        self.seen = [not_finite, first, fast];
+        if needed > self.grid.room {
+            self.settle()?;
+            return Ok(true);
+        }
+        Ok(false)
+    }
+
+    /// What the steps counted, as it last came down.
+    #[must_use]
+    pub fn counters(&self) -> Counters {
+        Counters {
+            overflow: self.seen[0] as usize,
+            ..Counters::default()
+        }
+    }
+
+    /// Passes, columns, and bytes a body.
+    #[must_use]
+    pub fn explain(&self) -> String {
+        explain::explain(self)
+    }
+
+    /// How many steps were handed to the device.
+    #[must_use]
+    pub fn steps(&self) -> u32 {
+        self.steps
     }
 
     /// The device and its columns.
     #[must_use]
     pub fn columns(&self) -> &Columns {
         &self.columns
+    }
+
+    /// The ID of the first body that was not finite, and how many rows were in all steps, if any.
+    #[must_use]
+    pub fn not_finite(&self) -> Option<(u32, u32)> {
+        (self.seen[0] > 0).then_some((self.seen[1], self.seen[0]))
+    }
+
+    /// How many balls there are.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The kernels of a step.
+    #[must_use]
+    pub fn kernels(&self) -> &BallKernels {
+        &self.kernels
+    }
+
+    /// For how many neighbours a ball has room.
+    #[must_use]
+    pub fn room(&self) -> u32 {
+        self.grid.room
+    }
+
+    /// Cells of the grid along x, y and z, and their edge, m.
+    #[must_use]
+    pub fn grid(&self) -> ([u32; 3], f32) {
+        let grid = &self.grid;
+        ([grid.slots_x, grid.slots_y, grid.slots_z], grid.edge)
+    }
+}
+
+/// The rows of the bodies that move.
+fn moving(bodies: &Bodies) -> Vec<usize> {
+    (0..bodies.rows())
+        .filter(|&row| !bodies.is_static(row))
+        .collect()
+}
+
+/// A body that stands still, as it is drawn.
+fn drawn_at(state: &State, body: usize) -> Drawn {
+    let (position, orientation) = (
+        state.position[body].as_vec3(),
+        state.orientation[body].as_quat(),
+    );
+    Drawn {
+        position,
+        orientation,
+        position_last: position,
+        orientation_last: orientation,
+        ..Drawn::default()
+    }
+}
+
+fn seen_at(state: &State, body: usize) -> Seen {
+    Seen {
+        velocity: state.linear_velocity[body].as_vec3(),
+        angular_velocity: state.angular_velocity[body].as_vec3(),
+        ..Seen::default()
     }
 }
 
@@ -262,8 +469,8 @@ fn is_alike(bodies: &Bodies) -> bool {
 /// The grid of a scene's balls.
 fn grid_of(bodies: &Bodies, moving: &[usize], walls: usize) -> GridOf {
     let places: Vec<Place> = moving.iter().map(|&row| bodies.place[row]).collect();
-    let grid = Grid::of(&places, |_| true);
     let widest = places.iter().map(|place| place.reach).fold(0.0, f32::max);
+    let grid = Grid::with_edge(EDGE * widest.max(f32::MIN_POSITIVE), &places);
     let [slots_x, slots_y, slots_z] = grid.slots;
     GridOf {
         edge: grid.edge,
@@ -277,18 +484,25 @@ fn grid_of(bodies: &Bodies, moving: &[usize], walls: usize) -> GridOf {
         starts: grid.count() as u32 + 2,
         margin: MARGIN,
         most_margin: margin_of(widest),
-        dt: 0.0,
+        widest,
+        ..GridOf::default()
     }
 }
 
 /// Makes all columns.
-fn allocate(columns: &mut Columns, grid: &GridOf, walls: &[Wall]) -> Result<(), StreamError> {
+fn allocate(
+    columns: &mut Columns,
+    grid: &GridOf,
+    walls: &[Wall],
+    bodies: usize,
+) -> Result<(), StreamError> {
     let (rows, starts) = (grid.capacity as usize, grid.starts as usize);
     for side in ["a", "b"] {
         columns.add::<Place>(&format!("places_{side}"), rows)?;
         columns.add::<Mover>(&format!("movers_{side}"), rows)?;
         columns.add::<Quat>(&format!("attitudes_{side}"), rows)?;
         columns.add::<Ball>(&format!("balls_{side}"), rows)?;
+        columns.add::<Held>(&format!("helds_{side}"), rows)?;
         columns.add::<u32>(&format!("neighbour_counts_{side}"), rows)?;
         columns.add::<u32>(&format!("neighbours_{side}"), rows * grid.room as usize)?;
         columns.add::<Vec4>(&format!("impulses_{side}"), rows * grid.room as usize)?;
@@ -297,7 +511,6 @@ fn allocate(columns: &mut Columns, grid: &GridOf, walls: &[Wall]) -> Result<(), 
         }
     }
     columns.add::<f32>("approaches", rows * grid.room as usize)?;
-    columns.add::<Held>("helds", rows)?;
     for name in ["slots", "order", "old_rows"] {
         columns.add::<u32>(name, rows)?;
     }
@@ -305,12 +518,16 @@ fn allocate(columns: &mut Columns, grid: &GridOf, walls: &[Wall]) -> Result<(), 
         columns.add::<u32>(name, starts)?;
     }
     columns.add::<u32>("blocks", starts.div_ceil(super::ball_kernels::PER_BLOCK))?;
+    columns.add::<u32>("fastest", 2)?;
     columns.add::<u32>("status", STATUS.len())?;
     let mut status = [0; STATUS.len()];
-    status[3] = u32::MAX;
+    status[2] = u32::MAX;
     columns.write("status", &status)?;
     columns.add::<Wall>("walls", walls.len().max(1))?;
     columns.write("walls", walls)?;
+    columns.add::<Drawn>("drawn", bodies)?;
+    columns.add::<Seen>("seen", bodies)?;
+    columns.add_uniform("mouse", &Mouse::default())?;
     columns.add_uniform("grid", grid)?;
     columns.add_uniform("step", &crate::rows::Step::default())
 }

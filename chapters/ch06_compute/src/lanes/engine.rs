@@ -247,6 +247,7 @@ impl LanesEngine {
                 &bodies.motion[row],
                 &bodies.spin[row],
                 &bodies.solid[row],
+                bodies.before[row],
             )
         });
         let m = &pairs.manifold[pair];

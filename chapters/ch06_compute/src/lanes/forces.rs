@@ -88,6 +88,7 @@ impl Forces {
                     })?;
                     solid.inverse_inertia = inertia.recip();
                     bodies.spin[*body].inverse_mass = 0.0;
+                    bodies.read_momentum(*body);
                     let q = bodies.attitude[*body];
                     let point = bodies.place[*body].position - q * arm;
                     forces.pivots.push(Pivot {

@@ -18,7 +18,7 @@ const SMALL: f32 = 1e-12;
 pub const INNER_SWEEPS: u32 = 2;
 
 /// Sweeps over the points of a pair that bounces.
-pub const BOUNCE_SWEEPS: u32 = 4;
+pub const BOUNCE_SWEEPS: u32 = 16;
 
 // ANCHOR: side
 /// One of the two bodies, as the pair sees it.
@@ -38,14 +38,34 @@ pub struct Side {
     pub shared_mass: f32,
     /// n I⁻¹ in world axes.
     pub shared_inertia: Mat3,
+    /// What the two velocities were before the substep's kick.
+    pub before: Before,
+}
+
+/// How a body moved before a substep's kick: what counts as the speed of an impact. Just after the kick
+/// what holds it may be out of balance, and a light body between heavy ones seems fast.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Before {
+    /// m/s.
+    pub velocity: Vec3,
+    /// rad/s.
+    pub angular_velocity: Vec3,
 }
 // ANCHOR_END: side
 
 impl Side {
     /// Gathers it from a body's rows.
     #[must_use]
-    pub fn of(place: &Place, attitude: Quat, motion: &Motion, spin: &Spin, solid: &Solid) -> Self {
+    pub fn of(
+        place: &Place,
+        attitude: Quat,
+        motion: &Motion,
+        spin: &Spin,
+        solid: &Solid,
+        before: Before,
+    ) -> Self {
         Self {
+            before,
             position: place.position,
             attitude,
             velocity: motion.velocity,
@@ -115,7 +135,7 @@ pub fn touching(m: &Manifold, a: &Side, b: &Side) -> Touching {
         let core_a = a.attitude * m.core_a[k].truncate();
         let core_b = apart + b.attitude * m.core_b[k].truncate();
         t.distance[k] = (core_b - core_a).dot(normal) - m.round_a - m.round_b;
-        let middle = 0.5 * (core_a + m.round_a * normal + core_b - m.round_b * normal);
+        let middle = middle(m, [core_a, core_b], normal, t.distance[k]);
         t.arm_a[k] = middle;
         t.arm_b[k] = middle - apart;
         t.mean_a += middle / points as f32;
@@ -125,6 +145,18 @@ pub fn touching(m: &Manifold, a: &Side, b: &Side) -> Touching {
         t.spread += (t.arm_a[k] - t.mean_a).length() / points as f32;
     }
     t
+}
+
+/// Where two surfaces meet: in the middle of the gap. On a round body that is along the normal from its
+/// core point; a point fixed in a face would lag behind a body that rolls on.
+fn middle(m: &Manifold, [core_a, core_b]: [Vec3; 2], normal: Vec3, distance: f32) -> Vec3 {
+    if m.round_a > 0.0 {
+        return core_a + (m.round_a + 0.5 * distance) * normal;
+    }
+    if m.round_b > 0.0 {
+        return core_b - (m.round_b + 0.5 * distance) * normal;
+    }
+    0.5 * (core_a + core_b)
 }
 
 /// The normal for bodies where they are now.
@@ -159,11 +191,21 @@ fn parting(t: &Touching, k: usize, a: &Side, b: &Side) -> f32 {
         .dot(b.velocity_at(t.arm_b[k]) - a.velocity_at(t.arm_a[k]))
 }
 
+/// The same before the kick.
+fn parting_before(t: &Touching, k: usize, a: &Side, b: &Side) -> f32 {
+    let of_a = a.before.velocity + a.before.angular_velocity.cross(t.arm_a[k]);
+    let of_b = b.before.velocity + b.before.angular_velocity.cross(t.arm_b[k]);
+    t.normal.dot(of_b - of_a)
+}
+
 // ANCHOR: press
 /// The impulses of a pair as its bodies receive them.
 #[must_use]
 pub fn press(t: &Touching, points: u32, impulse: &Impulse) -> Press {
-    let mut press = Press::default();
+    let mut press = Press {
+        stays: 1.0,
+        ..Press::default()
+    };
     for k in 0..points as usize {
         let p = impulse.normal[k] * t.normal;
         press.linear += p;
@@ -213,6 +255,7 @@ pub fn solve_pair(
     let t = touching(m, &a, &b);
     let soon = note_impacts(&t, m.points, approach, &a, &b, step);
     let active = activate(&t, m.points, impulse, &a, &b, step);
+    let pressed_before = impulse.normal.max_element() > 0.0;
     let mut pressed = Press::default();
     if active {
         let reply = replies(&t, m.points, &a, &b);
@@ -227,16 +270,31 @@ pub fn solve_pair(
     if soon || impulse.normal.max_element() > 0.0 {
         pressed.counts = 1.0;
     }
+    if !pressed_before && is_impact(&pressed, &a, &b, step) {
+        pressed.stays = 0.0;
+        *impulse = Impulse::default();
+    }
     pressed
 }
 // ANCHOR_END: solve_pair
+
+// ANCHOR: is_impact
+/// Whether what a pair newly pressed is an impact rather than the beginning of rest.
+///
+/// A substep begins with the impulses of the last one, and each pair takes back what was too much; but
+/// with its share of the mass it takes back only a share. For a weight that is right. For an impact it
+/// would leave speed that nobody paid for.
+fn is_impact(pressed: &Press, a: &Side, b: &Side, step: &Step) -> bool {
+    pressed.linear.length() * (a.inverse_mass + b.inverse_mass) > step.impact_speed
+}
+// ANCHOR_END: is_impact
 
 // ANCHOR: note_impacts
 /// Notes how fast the points come that will touch in this substep; says whether one touches or may
 /// touch in the next.
 ///
-/// The speed is that at the surface: u² = c² + 2 a s, where c is the speed of approach before gravity's
-/// part in this substep, a the acceleration of approach, and s the gap that is left.
+/// The speed is that at the surface: u² = c² + 2 a s, where c is the speed of approach before the substep's
+/// kick, a the acceleration of approach, and s the gap that is left.
 fn note_impacts(
     t: &Touching,
     points: u32,
@@ -250,7 +308,7 @@ fn note_impacts(
     for k in 0..points as usize {
         let speed = parting(t, k, a, b);
         if t.distance[k] + step.h * speed <= 0.0 {
-            let before = (-speed - closing * step.h).max(0.0);
+            let before = (-parting_before(t, k, a, b)).max(0.0);
             let squared = before * before + 2.0 * closing * t.distance[k].max(0.0);
             approach[k] = approach[k].min(-squared.max(0.0).sqrt());
         }
@@ -440,6 +498,11 @@ fn push_out(
         side.angular_velocity = Vec3::ZERO;
     }
     let mut pushes = Vec4::ZERO;
+    let share = if points > 1 {
+        step.push_share_of_many
+    } else {
+        step.push_share
+    };
     let sweeps = if points > 1 { INNER_SWEEPS } else { 1 };
     for _ in 0..sweeps {
         let mut linear = Vec3::ZERO;
@@ -447,7 +510,7 @@ fn push_out(
         let mut turning_b = Vec3::ZERO;
         for k in 0..points as usize {
             let depth = -t.distance[k] - step.slop;
-            let speed = (step.push_share * depth / step.h).min(step.fastest_push);
+            let speed = (share * depth / step.h).min(step.fastest_push);
             let lacks = speed - parting(t, k, &a, &b);
             let wanted = if depth > 0.0 {
                 pushes[k] + lacks / reply[k].max(SMALL)
@@ -477,7 +540,7 @@ pub fn bounces(approach: Vec4, material: &Material, step: &Step) -> bool {
 
 // ANCHOR: restore_pair
 /// What restitution adds at the end of a step: where an impact came with speed u, the bodies shall part
-/// with e u. Shares are those among the pairs that bounce.
+/// with e u; and the friction that goes with it. Shares are those among the pairs that bounce.
 #[must_use]
 pub fn restore_pair(
     m: &Manifold,
@@ -513,6 +576,7 @@ pub fn restore_pair(
         }
         a.take(-linear, turning_a);
         b.take(linear, turning_b);
+        mend_friction(&t, m.points, &mut added, material, &mut a, &mut b);
     }
     press(&t, m.points, &added)
 }

@@ -12,6 +12,8 @@ use ch00_scenes::{EulerLimits, Joint, Scene};
 use glam::{DQuat, DVec3, Quat, Vec3};
 
 use super::contact::Side;
+use super::loops::point_reply;
+use super::tree::Symmetric;
 use crate::rows::{CONE_TWIST, EULER, FREE_ANGLE, Limit, Turned};
 
 /// A limit this near, rad, counts among those that share the masses.
@@ -90,6 +92,60 @@ pub fn turns(limit: &Limit, a: Quat, b: Quat) -> [Bounded; 3] {
 }
 // ANCHOR_END: turns
 
+// ANCHOR: pinned
+/// The joint's point, about which both turn: what a limit's turning impulse would part there, an impulse
+/// at the point keeps together.
+///
+/// Two bodies that turn about a point answer less than free ones, and a limit that took them for free
+/// would go on turning them when they already stand: it would bounce. All joints of a tree together make
+/// them answer less still, so a limit that reckons with its own point alone never does too much.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Pinned {
+    arm_a: Vec3,
+    arm_b: Vec3,
+    /// K⁻¹: the impulse at the point that goes with a parting there, kg.
+    holding: Symmetric,
+}
+
+impl Pinned {
+    fn of(limit: &Limit, a: &Side, b: &Side) -> Self {
+        let arm_a = a.attitude * limit.anchor_a;
+        let arm_b = b.attitude * limit.anchor_b;
+        let reply = point_reply(a, arm_a).plus(point_reply(b, arm_b));
+        let holding = reply.inverse(a.shared_mass + b.shared_mass);
+        Self {
+            arm_a,
+            arm_b,
+            holding,
+        }
+    }
+
+    /// How a turning impulse on b, and its opposite on a, changes the spins of both.
+    fn turned_by(&self, a: &Side, b: &Side, turning: Vec3) -> [Vec3; 2] {
+        let (turn_a, turn_b) = (a.shared_inertia * turning, b.shared_inertia * turning);
+        let parting = turn_b.cross(self.arm_b) + turn_a.cross(self.arm_a);
+        let held = self.holding.times(parting);
+        [
+            a.shared_inertia * self.arm_a.cross(held) - turn_a,
+            turn_b - b.shared_inertia * self.arm_b.cross(held),
+        ]
+    }
+
+    /// The relative spin that a turning impulse makes.
+    fn spin_of(&self, a: &Side, b: &Side, turning: Vec3) -> Vec3 {
+        let [spin_a, spin_b] = self.turned_by(a, b, turning);
+        spin_b - spin_a
+    }
+
+    /// What the limit alone makes of its two bodies.
+    fn turn(&self, a: &mut Side, b: &mut Side, turning: Vec3) {
+        let [spin_a, spin_b] = self.turned_by(a, b, turning);
+        a.angular_velocity += spin_a;
+        b.angular_velocity += spin_b;
+    }
+}
+// ANCHOR_END: pinned
+
 // ANCHOR: solve_limit
 /// A substep of a limit: it mends its turning impulses so that the bodies, with the share of their masses
 /// that it has, don't turn beyond a bound. `before` is what it gave them in the last substep, which they
@@ -98,26 +154,24 @@ pub fn turns(limit: &Limit, a: Quat, b: Quat) -> [Bounded; 3] {
 pub fn solve_limit(limit: &mut Limit, before: &Turned, sides: [Side; 2], h: f32) -> Turned {
     let [mut a, mut b] = sides;
     let turns = turns(limit, a.attitude, b.attitude);
-    let mut impulses = [0.0; 3];
+    let mut impulses = Vec3::ZERO;
     let mut turned = Turned::default();
     if before.counts > 0.0 {
+        let pinned = Pinned::of(limit, &a, &b);
         for (k, turn) in turns.iter().enumerate() {
             impulses[k] = still_holds(turn, limit.impulses[k]);
             turned.turning += impulses[k] * turn.axis;
         }
-        turn_both(&mut a, &mut b, turned.turning - before.turning);
-        turned.push = solve_turns(
-            &turns,
-            &mut impulses,
-            &mut turned.turning,
-            &mut a,
-            &mut b,
-            h,
-        );
+        pinned.turn(&mut a, &mut b, turned.turning - before.turning);
+        // First the swing, then the twist, each from the velocities that the one before left.
+        for k in [0, 2, 1] {
+            let (turn, impulse) = (&turns[k], &mut impulses[k]);
+            solve_turn(turn, &pinned, impulse, &mut turned, &mut a, &mut b, h);
+        }
     }
-    limit.impulses = Vec3::from_array(impulses);
-    let soon = |(turn, impulse): (&Bounded, &f32)| *impulse != 0.0 || is_near(turn, &a, &b, h);
-    let counts = turns.iter().zip(&impulses).any(soon);
+    limit.impulses = impulses;
+    let holds = impulses != Vec3::ZERO;
+    let counts = holds || turns.iter().any(|turn| is_near(turn, &a, &b, h));
     turned.counts = if counts { 1.0 } else { 0.0 };
     turned
 }
@@ -134,39 +188,34 @@ fn still_holds(turn: &Bounded, impulse: f32) -> f32 {
     turn.side * (turn.side * impulse).max(0.0)
 }
 
-// ANCHOR: solve_turns
-/// First the swing, then the twist, each from the velocities that the one before left. Gives the push.
-fn solve_turns(
-    turns: &[Bounded; 3],
-    impulses: &mut [f32; 3],
-    turning: &mut Vec3,
+// ANCHOR: solve_turn
+/// Mends the impulse of one turn, and pushes back what is beyond its bound.
+fn solve_turn(
+    turn: &Bounded,
+    pinned: &Pinned,
+    impulse: &mut f32,
+    turned: &mut Turned,
     a: &mut Side,
     b: &mut Side,
     h: f32,
-) -> Vec3 {
-    let mut push = Vec3::ZERO;
-    for k in [0, 2, 1] {
-        let turn = &turns[k];
-        let is_on = turn.room < NEAR || impulses[k] != 0.0;
-        if turn.side == 0.0 || !is_on {
-            continue;
-        }
-        let shared = |v: Vec3| a.shared_inertia * v + b.shared_inertia * v;
-        let reply = turn.axis.dot(shared(turn.axis));
-        let rate = turn.axis.dot(b.angular_velocity - a.angular_velocity);
-        let impulse = if turn.is_locked {
-            impulses[k] - rate / reply
-        } else {
-            let off = turn.side * rate + turn.room.max(0.0) / h;
-            turn.side * (turn.side * impulses[k] - off / reply).max(0.0)
-        };
-        push += turn.axis * pushed_back(turn, turn.axis.dot(shared(push)), reply, h);
-        let change = (impulse - impulses[k]) * turn.axis;
-        impulses[k] = impulse;
-        *turning += change;
-        turn_both(a, b, change);
+) {
+    if turn.side == 0.0 || turn.room > FAR {
+        return;
     }
-    push
+    let reply = turn.axis.dot(pinned.spin_of(a, b, turn.axis)).max(SMALL);
+    let rate = turn.axis.dot(b.angular_velocity - a.angular_velocity);
+    let wanted = if turn.is_locked {
+        *impulse - rate / reply
+    } else {
+        let off = turn.side * rate + turn.room.max(0.0) / h;
+        turn.side * (turn.side * *impulse - off / reply).max(0.0)
+    };
+    let change = (wanted - *impulse) * turn.axis;
+    *impulse = wanted;
+    turned.turning += change;
+    pinned.turn(a, b, change);
+    let pushed = turn.axis.dot(pinned.spin_of(a, b, turned.push));
+    turned.push += turn.axis * pushed_back(turn, pushed, reply, h);
 }
 
 /// The turning push that turns back what is beyond a bound, N m s, where others push at this rate.
@@ -180,13 +229,7 @@ fn pushed_back(turn: &Bounded, pushed: f32, reply: f32, h: f32) -> f32 {
     }
     turn.side * ((wanted - turn.side * pushed) / reply).max(0.0)
 }
-// ANCHOR_END: solve_turns
-
-/// What the limit alone makes of its two bodies.
-fn turn_both(a: &mut Side, b: &mut Side, turning: Vec3) {
-    a.angular_velocity -= a.shared_inertia * turning;
-    b.angular_velocity += b.shared_inertia * turning;
-}
+// ANCHOR_END: solve_turn
 
 /// Whether a turn is at its bound or may be in the next substep.
 fn is_near(turn: &Bounded, a: &Side, b: &Side, h: f32) -> bool {
@@ -202,6 +245,7 @@ fn is_near(turn: &Bounded, a: &Side, b: &Side, h: f32) -> bool {
 pub fn limit_of(scene: &Scene, index: usize) -> Option<Limit> {
     let joint = &scene.joints[index];
     let (a, b) = joint.bodies();
+    let (anchor_a, anchor_b) = joint.anchors();
     let attitude = |body: usize| scene.bodies[body].orientation;
     let as_loaded = (attitude(a).conjugate() * attitude(b)).normalize();
     let free = f64::from(FREE_ANGLE);
@@ -238,14 +282,14 @@ pub fn limit_of(scene: &Scene, index: usize) -> Option<Limit> {
     Some(Limit {
         a: a as u32,
         b: b as u32,
-        id_a: a as u32,
-        id_b: b as u32,
+        joint: index as u32,
+        kind,
         frame_a: (rest.unwrap_or(as_loaded) * frame_b).normalize().as_quat(),
         frame_b: frame_b.as_quat(),
         low: low.as_vec3(),
-        kind,
         high: high.as_vec3(),
-        joint: index as u32,
+        anchor_a: anchor_a.as_vec3(),
+        anchor_b: anchor_b.as_vec3(),
         ..Limit::default()
     })
 }

@@ -149,7 +149,8 @@ fn parting(link: &Link, a: &Side, b: &Side) -> Vec3 {
 }
 
 /// What a unit impulse at `arm` makes of the velocity there, along each axis, 1/kg.
-fn point_reply(side: &Side, arm: Vec3) -> Symmetric {
+#[must_use]
+pub fn point_reply(side: &Side, arm: Vec3) -> Symmetric {
     let along = |unit: Vec3| (side.shared_inertia * arm.cross(unit)).cross(arm);
     let [x, y, z] = Vec3::AXES.map(along);
     Symmetric {

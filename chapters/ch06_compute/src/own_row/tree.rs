@@ -29,7 +29,7 @@ pub use articulated::{Articulated, Rate, Wrench, transposed_times, world_moments
 pub use build::{Ends, Trees, WORKGROUP};
 pub use error::TreeError;
 pub use fold::{Carried, Kept, fold, unfold};
-pub use link::{Bone, FASTEST_ALIGNING, FASTEST_CLOSING, JOINT_SHARE, Link, link_of};
+pub use link::{Bone, FASTEST_ALIGNING, FASTEST_CLOSING, Link, link_of};
 pub use symmetric::Symmetric;
 
 use crate::bodies::Bodies;
@@ -122,6 +122,7 @@ fn take_back(row: usize, bodies: &mut Bodies, joined: &[Held]) {
     let turned = bodies.turned_by(row, joined[row].angular);
     bodies.motion[row].velocity -= joined[row].linear * bodies.spin[row].inverse_mass;
     bodies.spin[row].angular_velocity -= turned;
+    bodies.momentum[row] -= joined[row].angular;
 }
 
 /// A node's joint where it is now.
@@ -208,4 +209,5 @@ fn move_body(row: usize, bone: &Bone, change: [Rate; 2], bodies: &mut Bodies, jo
     bodies.push[row].angular_velocity += pushed.spin;
     joined[row].linear = moved.velocity / bone.inverse_mass;
     joined[row].angular = rotation::moment(bone.attitude, bone.inverse_inertia.recip(), moved.spin);
+    bodies.momentum[row] += joined[row].angular;
 }

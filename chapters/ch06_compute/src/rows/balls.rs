@@ -76,18 +76,25 @@ rows! {
         margin: f32, "", "m";
         /// No two are neighbours beyond this.
         most_margin: f32, "", "m";
+        /// The largest radius.
+        widest: f32, "", "m";
+        /// Unused.
+        spare: u32, "", "";
+        /// Unused.
+        spare_2: u32, "", "";
+        /// Unused.
+        spare_3: u32, "", "";
         /// Length of a step.
         dt: f32, "Δt", "s";
     }
 }
 
 /// What the kernels say of how it goes: a number each, with its name and what it is.
-pub const STATUS: [(&str, &str); 6] = [
+pub const STATUS: [(&str, &str); 5] = [
     (
-        "HALTED",
-        "1 where a step was not made, since something had no room.",
+        "NEEDED",
+        "For how many neighbours a row must have room. If it has less, no step is made.",
     ),
-    ("NEEDED", "For how many neighbours a row must have room."),
     (
         "NOT_FINITE",
         "How many rows were not finite, summed over all steps.",

@@ -6,6 +6,7 @@ use glam::Vec3;
 use super::layout::rows;
 
 rows! {
+    // ANCHOR: place
     /// Where a body is.
     pub struct Place {
         /// World position of its origin.
@@ -21,6 +22,7 @@ rows! {
         /// Among how many active pairs its mass is shared, at least 1.
         shares: f32, "n", "";
     }
+    // ANCHOR_END: place
 
     /// How a body turns.
     pub struct Spin {

@@ -62,18 +62,18 @@ rows! {
         impulse: Vec3, "λ", "N s";
         /// Length of the second rod.
         second_length: f32, "l₂", "m";
-        /// The turning impulse of a hinge, beyond that of its impulse at the point.
+        /// The turning impulse of a hinge that closes a loop, beyond that of its impulse at the point.
         turning: Vec3, "λ_w", "N m s";
         /// Row of the body that the second rod hangs on; 4294967295 for none.
         second_parent: u32, "", "";
-        /// ID of the body, which stays when rows move.
-        id: u32, "", "";
-        /// ID of the body that it hangs on.
-        parent_id: u32, "", "";
-        /// ID of the body that the second rod hangs on.
-        second_id: u32, "", "";
         /// The largest depth among the nodes of its workgroup.
         levels: u32, "", "";
+        /// Index in the scene of the joint, or of the first of those that it stands for.
+        joint: u32, "", "";
+        /// Unused.
+        spare_1: u32, "", "";
+        /// Unused.
+        spare_2: u32, "", "";
     }
 
     /// How far b may turn away from its rest in a.
@@ -84,26 +84,34 @@ rows! {
         a: u32, "a", "";
         /// Row of the body that turns.
         b: u32, "b", "";
-        /// a's ID, which stays when rows move.
-        id_a: u32, "", "";
-        /// b's ID.
-        id_b: u32, "", "";
+        /// Index in the scene of the joint.
+        joint: u32, "", "";
+        /// 1 cone and twist, 2 pitch, yaw and roll.
+        kind: u32, "", "";
         /// The joint's frame in a.
         frame_a: Quat, "f_a", "";
         /// The joint's frame in b.
         frame_b: Quat, "f_b", "";
         /// Lower bounds of tilt, twist and nothing, or of pitch, yaw and roll. −10 for none.
         low: Vec3, "φ_min", "rad";
-        /// 1 cone and twist, 2 pitch, yaw and roll.
-        kind: u32, "", "";
+        /// Unused.
+        spare_1: f32, "", "";
         /// Upper bounds. 10 for none.
         high: Vec3, "φ_max", "rad";
-        /// Index of the joint in the scene.
-        joint: u32, "", "";
+        /// Unused.
+        spare_2: f32, "", "";
         /// What held each of the three in the last substep: positive from below.
         impulses: Vec3, "λ", "N m s";
         /// Unused.
-        spare: f32, "", "";
+        spare_3: f32, "", "";
+        /// The joint's point, in a's axes.
+        anchor_a: Vec3, "o_a", "m";
+        /// Unused.
+        spare_4: f32, "", "";
+        /// The joint's point, in b's axes.
+        anchor_b: Vec3, "o_b", "m";
+        /// Unused.
+        spare_5: f32, "", "";
     }
 
     /// What a limit does to its two bodies in a substep: the row that bodies gather from.

@@ -35,6 +35,10 @@ impl WgslType for [Vec4; 4] {
     const WGSL: &'static str = "array<vec4f, 4>";
 }
 
+impl WgslType for [Vec4; 8] {
+    const WGSL: &'static str = "array<vec4f, 8>";
+}
+
 /// One property within a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FieldSpec {
@@ -166,10 +170,26 @@ mod tests {
         is_the_same_in_both::<Held>();
         is_the_same_in_both::<Press>();
         is_the_same_in_both::<Step>();
+        is_the_same_in_both::<Drawn>();
+        is_the_same_in_both::<Seen>();
         is_the_same_in_both::<Mover>();
         is_the_same_in_both::<Ball>();
         is_the_same_in_both::<Wall>();
         is_the_same_in_both::<GridOf>();
+        is_the_same_in_both::<Rigid>();
+        is_the_same_in_both::<Bound>();
+        is_the_same_in_both::<Partner>();
+        is_the_same_in_both::<Contact>();
+        is_the_same_in_both::<Memory>();
+        is_the_same_in_both::<Pressed>();
+        is_the_same_in_both::<Total>();
+        is_the_same_in_both::<Holding>();
+        is_the_same_in_both::<Before>();
+        is_the_same_in_both::<PairsOf>();
+        is_the_same_in_both::<Scan>();
+        is_the_same_in_both::<Mouse>();
+        is_the_same_in_both::<Pivot>();
+        is_the_same_in_both::<Pole>();
     }
 
     #[test]

@@ -56,8 +56,8 @@ rows! {
         counts: f32, "", "";
         /// Turning impulse that a receives.
         angular_a: Vec3, "T_a", "N m s";
-        /// Unused.
-        spare_1: f32, "", "";
+        /// 1 where the next substep begins with these impulses, 0 where they were an impact.
+        stays: f32, "", "";
         /// Turning impulse that b receives.
         angular_b: Vec3, "T_b", "N m s";
         /// Unused.

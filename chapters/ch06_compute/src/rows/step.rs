@@ -1,6 +1,6 @@
 //! What all rows of a step share: a uniform.
 
-use glam::Vec3;
+use glam::{Quat, Vec3};
 
 use super::layout::rows;
 
@@ -27,5 +27,41 @@ rows! {
         pairs: u32, "", "";
         /// Unused.
         spare: u32, "", "";
+        /// A contact that changes the speed by more is an impact: it is over with the substep.
+        impact_speed: f32, "", "m/s";
+        /// The share where a pair has several points.
+        push_share_of_many: f32, "β", "";
+        /// Unused.
+        spare_2: f32, "", "";
+        /// Unused.
+        spare_3: f32, "", "";
+    }
+
+    /// Where a body is drawn: the layout is that of the window's `Drawn`.
+    pub struct Drawn {
+        /// World position after the last step.
+        position: Vec3, "p", "m";
+        /// Unused.
+        spare: f32, "", "";
+        /// Body to world after the last step.
+        orientation: Quat, "q", "";
+        /// World position before it.
+        position_last: Vec3, "p*", "m";
+        /// Unused.
+        spare_last: f32, "", "";
+        /// Body to world before it.
+        orientation_last: Quat, "q*", "";
+    }
+
+    /// How a body moves, for whoever looks.
+    pub struct Seen {
+        /// World velocity.
+        velocity: Vec3, "v", "m/s";
+        /// Unused.
+        spare: f32, "", "";
+        /// World angular velocity.
+        angular_velocity: Vec3, "ω", "rad/s";
+        /// Unused.
+        spare_2: f32, "", "";
     }
 }

@@ -79,6 +79,8 @@ pub fn table_wgsl(data: &Data, table: &str) -> Result<String, TableError> {
     Ok(format!("// {}\n{columns}", wanted.about()))
 }
 
+// ANCHOR: column_wgsl
+/// A column's binding and its two functions.
 fn column_wgsl(name: &str, spec: &ColumnSpec, binding: usize) -> String {
     let (element, value) = wgsl_of(spec.kind);
     let count = spec.kind.numbers();
@@ -109,6 +111,7 @@ fn column_wgsl(name: &str, spec: &ColumnSpec, binding: usize) -> String {
         about = spec.about,
     )
 }
+// ANCHOR_END: column_wgsl
 // ANCHOR_END: wgsl
 
 /// What WGSL has an array of, and what a row is.

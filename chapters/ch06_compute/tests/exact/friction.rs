@@ -114,22 +114,34 @@ fn static_friction_holds_until_a_box_slips_and_is_kinetic_then() {
     near(speed / speed_of_slipping(0.65), 1.0, 2e-3);
 }
 
+/// The pairs of `oblique`, so late that they meet after one step of `dt`.
+fn oblique(dt: f64) -> Scene {
+    let mut scene = built_in("oblique", None);
+    let waiting = scene.dt - dt;
+    for body in &mut scene.bodies {
+        body.position += waiting * body.linear_velocity;
+    }
+    scene.dt = dt;
+    scene
+}
+
 #[test]
 fn oblique_impacts_stick_and_slip_as_the_closed_form_says() {
-    let end = after(&built_in("oblique", None), 0.5);
+    let end = after(&oblique(1e-4), 0.01);
     for (first, key) in [(0, "16_oblique_sticks"), (2, "16_oblique_slips")] {
         let reference = exact(key);
         for (i, v, w) in [(first, "v1", "w1"), (first + 1, "v2", "w2")] {
             let off = end.linear_velocity[i].distance(vector(&reference[v]));
-            // Chapter 3's bars: the pairs touch along x to a micrometre, and stay round.
+            // An impact is seen at the start of its substep, where the normal is still off by v_t h/d: of
+            // 4.1 m/s across, 1e-5 s and 0.3 m that leaves 7e-4 m/s. At 60 Hz it is 0.1 m/s.
             assert!(off < 1e-3, "{key} {v}: {}", end.linear_velocity[i]);
             let off = end.angular_velocity[i].distance(vector(&reference[w]));
             assert!(off < 1e-2, "{key} {w}: {}", end.angular_velocity[i]);
         }
     }
     let reference = exact("16_head_on");
-    near(end.linear_velocity[4].x, number(&reference["v1"]), 1e-4);
-    near(end.linear_velocity[5].x, number(&reference["v2"]), 1e-4);
+    near(end.linear_velocity[4].x, number(&reference["v1"]), 1e-5);
+    near(end.linear_velocity[5].x, number(&reference["v2"]), 1e-5);
 }
 
 #[test]

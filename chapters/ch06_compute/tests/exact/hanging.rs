@@ -82,6 +82,7 @@ fn swings(scene: &Scene, theta: f64, about: f64) -> Swings {
         amplitude = amplitude.max(angle.abs());
         stretch = stretch.max(separation(scene, state));
     });
+    assert!(crossings.len() > 20, "{} swings", crossings.len() / 2);
     Swings {
         period: (crossings[20] - crossings[0]) / 10.0,
         amplitude: top,
@@ -194,6 +195,7 @@ fn a_hanging_chain_swings_in_its_first_mode_and_does_not_stretch() {
         last = end.x;
         stretch = stretch.max(end.length() - LINK * LINKS as f64);
     });
+    assert!(crossings.len() > 10, "{} swings", crossings.len() / 2);
     let period = (crossings[10] - crossings[0]) / 5.0;
     // Chapter 4's bar; and a tenth of a millimetre a metre.
     near(period / exact, 1.0, 1e-3);
@@ -219,8 +221,9 @@ fn widest(scene: &Scene, substeps: u32) -> f64 {
 #[test]
 fn a_chain_holds_a_ball_of_672_times_a_links_mass() {
     let scene = built_in("chain", None);
-    // The prototype's gaps. Of all that was published the least stretch with 16 substeps is 19 mm.
-    for (substeps, gap) in [(10, 0.012), (16, 6e-5), (20, 4e-5)] {
+    // What the chapter promises of this scenario: 15 mm with 10 substeps, 0.1 mm with 16. Of all that was
+    // published the least stretch with 16 is 19 mm.
+    for (substeps, gap) in [(10, 0.015), (16, 1e-4), (20, 1e-4)] {
         at_most(
             widest(&scene, substeps),
             gap,

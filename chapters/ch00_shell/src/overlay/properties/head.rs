@@ -4,6 +4,7 @@
 use ch00_scenes::{ColumnInfo, RowId, TableInfo};
 
 use super::editor::Editor;
+use crate::overlay::format::as_of;
 use crate::stage::{Followed, PAUSE_FIRST, Stage};
 use crate::tables::rows::Rows;
 
@@ -31,6 +32,9 @@ impl Head<'_> {
         ui.horizontal_wrapped(|ui| {
             ui.strong(self.table.name);
             ui.weak(format!("{} of {} rows", self.rows.len(), self.table.rows));
+            if let Some(when) = as_of(stage.session()) {
+                ui.weak(when);
+            }
             self.following(ui, stage);
             undoing(ui, stage);
             match editor {

@@ -8,7 +8,7 @@ mod grid;
 mod head;
 mod snapshot;
 #[cfg(test)]
-mod tests;
+pub mod tests;
 
 use std::collections::BTreeMap;
 

@@ -1,6 +1,6 @@
 //! The tables on a screen, by clicks and keys.
 
-mod desk;
+pub mod desk;
 
 use egui::Key;
 

@@ -4,7 +4,7 @@
 
 use glam::Vec3;
 
-use super::core::{BOX, CYLINDER, Core, HUGE, TINY, reach, separation, slack};
+use super::core::{BOX, CAPSULE, CYLINDER, Core, HUGE, TINY, reach, separation, slack};
 
 /// The sine of an angle between edges below which they have no direction across them, squared.
 const PARALLEL2: f32 = 1e-6;
@@ -18,89 +18,85 @@ pub struct Way {
     pub apart: f32,
 }
 
+/// How many directions [`candidate`] has.
+const CANDIDATES: u32 = 18;
+
 // ANCHOR: best_axis
 /// The direction along which the two are the furthest apart. Faces come first, those of the larger body
 /// before the other's; something else has to be clearly better, or a tremor would change the normal.
 #[must_use]
 pub fn best_axis(a: &Core, b: &Core) -> Way {
     let slack = slack(a, b);
+    let between = b.centre - a.centre;
+    let a_is_larger = reach(a) > reach(b);
     let mut best = Way {
         normal: Vec3::Y,
         apart: -HUGE,
     };
-    let a_is_larger = reach(a) > reach(b);
-    best = best_face(best, a, b, a_is_larger, -HUGE);
-    best = best_face(best, a, b, !a_is_larger, best.apart + slack);
-    best = best_crossing(best, a, b, best.apart + slack);
-    let between = b.centre - a.centre;
-    let least = best.apart + slack;
-    best = better(best, a, b, between / between.length().max(TINY), least);
-    if a.kind == CYLINDER {
-        best = better(best, a, b, off_axis(a, between), least);
-    }
-    if b.kind == CYLINDER {
-        best = better(best, a, b, off_axis(b, between), least);
-    }
-    best
-}
-
-/// The better of a way and the one along `axis`, which must have bodies further apart than `least`, m.
-fn better(best: Way, a: &Core, b: &Core, axis: Vec3, least: f32) -> Way {
-    let squared = axis.length_squared();
-    if squared < PARALLEL2 {
-        return best;
-    }
-    let mut normal = axis / squared.sqrt();
-    if normal.dot(b.centre - a.centre) < 0.0 {
-        normal = -normal;
-    }
-    let apart = separation(a, b, normal);
-    if apart > best.apart && apart > least {
-        return Way { normal, apart };
+    let mut least = -HUGE;
+    for i in 0..CANDIDATES {
+        if i == 3 || i == 6 || i == 15 {
+            least = best.apart + slack;
+        }
+        let axis = candidate(a, b, a_is_larger, i);
+        let squared = axis.length_squared();
+        if squared < PARALLEL2 {
+            continue;
+        }
+        let mut normal = axis / squared.sqrt();
+        if normal.dot(between) < 0.0 {
+            normal = -normal;
+        }
+        let apart = separation(a, b, normal);
+        if apart > best.apart && apart > least {
+            best = Way { normal, apart };
+        }
     }
     best
 }
 // ANCHOR_END: best_axis
 
-/// The better of a way and the best one across the faces of a or of b.
-fn best_face(best: Way, a: &Core, b: &Core, of_a: bool, least: f32) -> Way {
-    let mut found = best;
-    if of_a && has_faces(a) {
-        for i in 0..axis_count(a) {
-            found = better(found, a, b, axis_of(a, i), least);
-        }
+// ANCHOR: candidate
+/// The direction with number i, or none: 0 to 2 across the larger body's faces, 3 to 5 across the other's,
+/// 6 to 14 across an edge of each, 15 from centre to centre, 16 and 17 straight out from the axis of a
+/// cylinder.
+fn candidate(a: &Core, b: &Core, a_is_larger: bool, i: u32) -> Vec3 {
+    if i < 6 {
+        let of_a = (i < 3) == a_is_larger;
+        return if of_a {
+            face_axis(a, i % 3)
+        } else {
+            face_axis(b, i % 3)
+        };
     }
-    if !of_a && has_faces(b) {
-        for i in 0..axis_count(b) {
-            found = better(found, a, b, axis_of(b, i), least);
-        }
+    if i < 15 {
+        return edge_axis(a, i / 3 - 2).cross(edge_axis(b, i % 3));
     }
-    found
-}
-
-/// The better of a way and the best one across an edge of each.
-fn best_crossing(best: Way, a: &Core, b: &Core, least: f32) -> Way {
-    let mut found = best;
-    for i in 0..axis_count(a) {
-        for j in 0..axis_count(b) {
-            found = better(found, a, b, axis_of(a, i).cross(axis_of(b, j)), least);
-        }
+    let between = b.centre - a.centre;
+    if i == 16 {
+        return off_axis(a, between);
     }
-    found
+    if i == 17 {
+        return off_axis(b, between);
+    }
+    between / between.length().max(TINY)
 }
 
-fn has_faces(core: &Core) -> bool {
-    core.kind == BOX || core.kind == CYLINDER
+/// The normal of face i of three, or none.
+fn face_axis(core: &Core, i: u32) -> Vec3 {
+    if core.kind == CAPSULE {
+        return Vec3::ZERO;
+    }
+    edge_axis(core, i)
 }
 
-/// Along how many axes a core has edges: 3 for a box, else its y alone.
-fn axis_count(core: &Core) -> u32 {
-    if core.kind == BOX { 3 } else { 1 }
-}
-
-fn axis_of(core: &Core, i: u32) -> Vec3 {
-    if core.kind != BOX || i == 1 {
+/// The direction of edge i of three, or none: a cylinder and a capsule have the second one.
+fn edge_axis(core: &Core, i: u32) -> Vec3 {
+    if i == 1 {
         return core.axes.y_axis;
+    }
+    if core.kind != BOX {
+        return Vec3::ZERO;
     }
     if i == 0 {
         core.axes.x_axis
@@ -109,13 +105,18 @@ fn axis_of(core: &Core, i: u32) -> Vec3 {
     }
 }
 
-/// The part of a direction, as a unit vector or none, at a right angle to a core's y.
+/// The unit vector along the part of a direction that is at a right angle to a cylinder's axis; any, if
+/// there is none.
 fn off_axis(core: &Core, direction: Vec3) -> Vec3 {
+    if core.kind != CYLINDER {
+        return Vec3::ZERO;
+    }
     let off = direction - direction.dot(core.axes.y_axis) * core.axes.y_axis;
     let length = off.length();
     if length > 1e-6 * reach(core) {
         off / length
     } else {
-        Vec3::ZERO
+        core.axes.x_axis
     }
 }
+// ANCHOR_END: candidate

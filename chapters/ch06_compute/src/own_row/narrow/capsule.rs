@@ -5,8 +5,8 @@ use glam::Vec3;
 use super::axis::{Way, best_axis};
 use super::ball::SAME;
 use super::convex::meet;
-use super::core::{Core, HUGE, extent, reach, slack, to_own, with_sign};
-use super::edges::{ASIDE, Meeting, along, edges_meet, nearest_points};
+use super::core::{Core, HUGE, TINY, extent, separation, slack, to_own, with_sign};
+use super::edges::{Meeting, along, edges_meet, nearest_points};
 use super::features::edge_towards;
 use super::spots::{finished, no_spots};
 use crate::rows::{Manifold, ROUND};
@@ -28,22 +28,25 @@ pub fn capsule_capsule(a: &Core, b: &Core, margin: f32) -> Manifold {
     if distance > rounds + margin {
         return Manifold::default();
     }
-    let mut normal = way_out(a, b);
-    if distance > SAME * (rounds + reach(a) + reach(b)) {
-        normal = between / distance;
+    let mut normal = between / distance.max(TINY);
+    let across = way_out(a, b);
+    if distance < SAME * extent(a, b) || separation(a, b, across) > separation(a, b, normal) {
+        normal = across;
     }
     let mut spots = no_spots(normal, ROUND, rounds + margin);
     let meeting = Meeting {
-        gap: distance,
-        aside: ASIDE * rounds,
+        gap: separation(a, b, normal) + rounds,
         push: 0.0,
+        round_a: a.round,
+        round_b: b.round,
         slack: slack(a, b),
     };
     edges_meet(&mut spots, &of_a, &of_b, &meeting);
     finished(a, b, &spots, meeting.slack)
 }
 
-/// The way out where two segments cross: at a right angle to both; if they are parallel, sideways.
+/// The way out where two segments cross or nearly do: at a right angle to both; if they are parallel,
+/// sideways.
 fn way_out(a: &Core, b: &Core) -> Vec3 {
     let across = a.axes.y_axis.cross(b.axes.y_axis);
     let sine = across.length();

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::axis::Way;
 use super::core::{BOX, CAPSULE, CYLINDER, Core, outward, slack, smaller_size, to_own};
-use super::edges::{ASIDE, Meeting, edges_meet};
+use super::edges::{Meeting, edges_meet};
 use super::faces::faces_meet;
 use super::features::{CAP_COSINE, EDGE, edge_towards, face_towards, stands_on_face};
 use super::spots::{Spots, no_spots};
@@ -36,8 +36,9 @@ pub fn contacts(a: &Core, b: &Core, way: Way, margin: f32) -> Spots {
         let gap = way.apart + rounds;
         let meeting = Meeting {
             gap,
-            aside: ASIDE * (rounds + spots.lift_a + spots.lift_b) + slack(a, b),
             push: (GAP * smaller_size(a, b) - gap).max(0.0),
+            round_a: a.round + spots.lift_a,
+            round_b: b.round + spots.lift_b,
             slack: slack(a, b),
         };
         edges_meet(&mut spots, &of_a, &of_b, &meeting);

@@ -22,10 +22,12 @@ const SHORT: f32 = 0.01;
 pub struct Meeting {
     /// How far apart they are along the normal, m.
     pub gap: f32,
-    /// By how much they may be off from lying opposite each other, m: their radii count, and the slack.
-    pub aside: f32,
-    /// How far both are pushed apart before their nearest points are taken, m.
+    /// How far they are pushed apart before their nearest points are taken, m.
     pub push: f32,
+    /// How round the first one's body is there: its radius, m.
+    pub round_a: f32,
+    /// How round the other one's body is.
+    pub round_b: f32,
     /// m.
     pub slack: f32,
 }
@@ -72,12 +74,21 @@ pub fn edges_meet(spots: &mut Spots, one: &Feature, other: &Feature, meeting: &M
     let near = nearest_points(one, other, meeting.push * spots.normal);
     let p = along(one, near.x);
     let q = along(other, near.y);
-    let part = stretch(one, other, near.x, spots.normal, meeting.aside);
+    // The rounder one yields: it is hardly thinner a little aside.
+    let rounds = meeting.round_a + meeting.round_b;
+    let share = (meeting.round_a + meeting.slack) / (rounds + 2.0 * meeting.slack);
+    let aside = ASIDE * rounds + meeting.slack;
+    let part = stretch(one, other, near.x, spots.normal, aside);
     if part.y - part.x > SHORT * one.half_u {
-        opposite(spots, one, other, part.x, name | 1);
-        opposite(spots, one, other, part.y, name | 2);
+        opposite(spots, one, other, part.x, share, name | 1);
+        opposite(spots, one, other, part.y, share, name | 2);
     } else {
-        add_spot(spots, p + 0.5 * off(spots.normal, p, q), meeting.gap, name);
+        add_spot(
+            spots,
+            p + share * off(spots.normal, p, q),
+            meeting.gap,
+            name,
+        );
     }
     spots.least = (q - p).dot(spots.normal);
     if off(spots.normal, p, q).length() > meeting.slack {
@@ -90,11 +101,12 @@ fn off(normal: Vec3, p: Vec3, q: Vec3) -> Vec3 {
     (q - p) - (q - p).dot(normal) * normal
 }
 
-/// Adds the point at s along an edge, and the nearest one of the other.
-fn opposite(spots: &mut Spots, one: &Feature, other: &Feature, s: f32, name: u32) {
+/// Adds the point at s along an edge, and the nearest one of the other; the first one is moved by a share
+/// of what it is off from lying opposite.
+fn opposite(spots: &mut Spots, one: &Feature, other: &Feature, s: f32, share: f32, name: u32) {
     let p = along(one, s);
     let q = along(other, nearest_along(other, p));
-    let on_a = p + 0.5 * off(spots.normal, p, q);
+    let on_a = p + share * off(spots.normal, p, q);
     add_spot(spots, on_a, (q - p).dot(spots.normal), name);
 }
 // ANCHOR_END: edges_meet

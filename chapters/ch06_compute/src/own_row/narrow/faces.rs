@@ -13,13 +13,24 @@ use super::spots::{Spots, add_spot};
 
 /// Set in the names of b's corners.
 const OF_B: u32 = 128;
-/// The name of a rim's lowest point.
+/// The corner that is a tilted rim's lowest point.
 const LOWEST: u32 = 8;
 /// The names of the points where two rims cross.
 const CROSSING: u32 = 9;
 
 /// A cap lies flat if the sine of its tilt is less: then its rim has no lowest point.
 const FLAT: f32 = 1e-3;
+
+/// What the points of a feature are added as.
+#[derive(Clone, Copy, Debug)]
+struct Role {
+    /// 1 for a feature of a, −1 for one of b.
+    sign: f32,
+    /// What all their names have.
+    name: u32,
+    /// How far they may be beyond the sides of the other feature, m.
+    slack: f32,
+}
 
 // ANCHOR: faces_meet
 /// Adds the points where a's feature and b's lie over each other, of which at most one is an edge. What
@@ -32,17 +43,32 @@ pub fn faces_meet(
     of_b: &Feature,
     slack: f32,
 ) {
-    let name = 1 << 16 | of_a.name << 12 | of_b.name << 8;
     let equal = of_a.shape == of_b.shape;
-    if of_a.shape < of_b.shape || (equal && reach(a) < reach(b)) {
-        edges_over(spots, of_a, of_b, 1.0, name, slack);
-        corners_over(spots, of_b, of_a, -1.0, name | OF_B, -slack);
-    } else {
-        edges_over(spots, of_b, of_a, -1.0, name | OF_B, slack);
-        corners_over(spots, of_a, of_b, 1.0, name, -slack);
+    let mut name = 1 << 16 | of_a.name << 12 | of_b.name << 8;
+    let mut sign = 1.0;
+    let mut cut = *of_a;
+    let mut face = *of_b;
+    if of_a.shape > of_b.shape || (equal && reach(a) >= reach(b)) {
+        name |= OF_B;
+        sign = -1.0;
+        cut = *of_b;
+        face = *of_a;
     }
-    lowest_over(spots, of_a, of_b, 1.0, name | LOWEST);
-    lowest_over(spots, of_b, of_a, -1.0, name | OF_B | LOWEST);
+    let mut role = Role { sign, name, slack };
+    edges_over(spots, &cut, &face, role);
+    rims_cross(spots, &cut, &face, role);
+    for i in 0..2 {
+        // The ends of edges are corners of what is cut.
+        if i == 1 || cut.shape == DISC {
+            corners_over(spots, &cut, &face, role);
+        }
+        std::mem::swap(&mut cut, &mut face);
+        role = Role {
+            sign: -role.sign,
+            name: role.name ^ OF_B,
+            slack: -slack,
+        };
+    }
 }
 // ANCHOR_END: faces_meet
 
@@ -55,14 +81,13 @@ fn over(face: &Feature, p: Vec3, normal: Vec3) -> Vec3 {
     Vec3::new(foot.dot(face.u), foot.dot(face.v), way)
 }
 
-/// Adds a point of a's feature (`sign` 1) or of b's (−1) and what is opposite it on the other one.
-fn place(spots: &mut Spots, p: Vec3, other: &Feature, sign: f32, name: u32) {
-    let way = over(other, p, spots.normal).z;
-    let on_a = if sign > 0.0 {
-        p
-    } else {
-        p + way * spots.normal
-    };
+/// Adds a point of a feature, and what is opposite it on a face.
+fn place(spots: &mut Spots, p: Vec3, face: &Feature, sign: f32, name: u32) {
+    let way = over(face, p, spots.normal).z;
+    let mut on_a = p;
+    if sign < 0.0 {
+        on_a = p + way * spots.normal;
+    }
     add_spot(spots, on_a, sign * way, name);
 }
 // ANCHOR_END: over
@@ -71,10 +96,8 @@ fn place(spots: &mut Spots, p: Vec3, other: &Feature, sign: f32, name: u32) {
 /// What a feature's edges have over a face: their ends, and where they leave it. An end is named by the
 /// corner that it is or the nearer one, so that equal boxes in a stack keep four names while they tremble
 /// to this side and that of being aligned.
-fn edges_over(spots: &mut Spots, cut: &Feature, face: &Feature, sign: f32, name: u32, slack: f32) {
+fn edges_over(spots: &mut Spots, cut: &Feature, face: &Feature, role: Role) {
     if cut.shape == DISC {
-        corners_over(spots, cut, face, sign, name, slack);
-        rims_cross(spots, cut, face, sign, name, slack);
         return;
     }
     let corners = corner_count(cut);
@@ -85,15 +108,15 @@ fn edges_over(spots: &mut Spots, cut: &Feature, face: &Feature, sign: f32, name:
         let q = corner(cut, j);
         let start = over(face, p, spots.normal).truncate();
         let end = over(face, q, spots.normal).truncate();
-        let t = part_over(face, start, end, slack);
-        if t.x > t.y {
-            continue;
-        }
-        let first = name | if t.x < 0.5 { i } else { j };
-        place(spots, p + t.x * (q - p), face, sign, first);
-        if t.x < t.y && (t.y < 1.0 || cut.shape == EDGE) {
-            let last = name | if t.y < 0.5 { i } else { j };
-            place(spots, p + t.y * (q - p), face, sign, last);
+        let part = part_over(face, start, end, role.slack);
+        for k in 0..2 {
+            let t = if k == 0 { part.x } else { part.y };
+            // A rectangle's corner is where its next edge starts.
+            let is_new = k == 0 || (part.x < part.y && (t < 1.0 || edges == 1));
+            if part.x <= part.y && is_new {
+                let name = role.name | if t < 0.5 { i } else { j };
+                place(spots, p + t * (q - p), face, role.sign, name);
+            }
         }
     }
 }
@@ -141,23 +164,20 @@ fn part_in_circle(p: Vec2, q: Vec2, r: f32) -> Vec2 {
 // ANCHOR_END: edges_over
 
 // ANCHOR: corners_over
-/// The corners of a feature that are over a face, or beyond its sides by at most `slack`, m.
-fn corners_over(
-    spots: &mut Spots,
-    feature: &Feature,
-    face: &Feature,
-    sign: f32,
-    name: u32,
-    slack: f32,
-) {
+/// The corners of a feature that are over a face.
+fn corners_over(spots: &mut Spots, feature: &Feature, face: &Feature, role: Role) {
     if face.shape == EDGE {
         return;
     }
-    for i in 0..corner_count(feature) {
-        let p = corner(feature, i);
+    for i in 0..corner_count(feature) + lowest_count(feature, spots.normal) {
+        let mut p = corner(feature, i);
+        if i == LOWEST {
+            p = lowest(feature, role.sign * spots.normal);
+        }
         let at = over(face, p, spots.normal).truncate();
-        if is_over(face, at, slack) {
-            place(spots, p, face, sign, name | i);
+        if is_over(face, at, role.slack) {
+            let name = corner_name(feature, face, role.name, i, at);
+            place(spots, p, face, role.sign, name);
         }
     }
 }
@@ -169,61 +189,59 @@ fn is_over(face: &Feature, p: Vec2, slack: f32) -> bool {
     }
     p.x.abs() <= face.half_u + slack && p.y.abs() <= face.half_v + slack
 }
+
+/// The name of a feature's corner i, which is at `at` over a face. Where both are rectangles, it is that of
+/// the face's corner on its side: a corner that moves a little beyond two sides of a face hands its name to
+/// the face's own.
+fn corner_name(feature: &Feature, face: &Feature, name: u32, i: u32, at: Vec2) -> u32 {
+    if feature.shape == DISC || face.shape == DISC {
+        return name | i;
+    }
+    let side = u32::from(at.x < 0.0);
+    (name ^ OF_B) | if at.y < 0.0 { 3 - side } else { side }
+}
 // ANCHOR_END: corners_over
 
 // ANCHOR: rims
-/// The lowest point of a cap that stands on its rim, if it is over the face.
-fn lowest_over(spots: &mut Spots, disc: &Feature, face: &Feature, sign: f32, name: u32) {
-    if disc.shape != DISC || face.shape == EDGE {
-        return;
-    }
-    let down = Vec2::new(disc.u.dot(spots.normal), disc.v.dot(spots.normal));
-    let tilt = down.length();
-    if tilt < FLAT {
-        return;
-    }
-    let way = sign * disc.half_u / tilt * down;
-    let p = disc.centre + way.x * disc.u + way.y * disc.v;
-    let at = over(face, p, spots.normal).truncate();
-    if is_over(face, at, 0.0) {
-        place(spots, p, face, sign, name);
-    }
+/// 1 for a cap that stands on its rim, else 0.
+fn lowest_count(feature: &Feature, normal: Vec3) -> u32 {
+    let tilt = Vec2::new(feature.u.dot(normal), feature.v.dot(normal)).length();
+    u32::from(feature.shape == DISC && tilt > FLAT)
+}
+
+/// The point of a cap's rim that is furthest along a direction.
+fn lowest(disc: &Feature, direction: Vec3) -> Vec3 {
+    let x = disc.u.dot(direction);
+    let y = disc.v.dot(direction);
+    disc.centre + disc.half_u / Vec2::new(x, y).length() * (x * disc.u + y * disc.v)
 }
 
 /// Where the rims of two caps cross, as seen along the normal. Where one is tilted so much that its rim
-/// isn't a circle but for `slack`, m, they have other points.
-fn rims_cross(
-    spots: &mut Spots,
-    disc: &Feature,
-    other: &Feature,
-    sign: f32,
-    name: u32,
-    slack: f32,
-) {
-    let between = over(disc, other.centre, spots.normal).truncate();
-    let d2 = between.length_squared();
-    if d2 < 1e-6 * disc.half_u * disc.half_u {
+/// isn't a circle but for the slack, they have other points.
+fn rims_cross(spots: &mut Spots, disc: &Feature, other: &Feature, role: Role) {
+    if disc.shape != DISC || other.shape != DISC {
         return;
     }
+    let between = over(disc, other.centre, spots.normal).truncate();
+    let d2 = between.length_squared();
     let r = disc.half_u;
     let s = other.half_u;
+    if d2 < 1e-6 * r * r {
+        return;
+    }
     let along = 0.5 + 0.5 * (r * r - s * s) / d2;
     let across2 = r * r / d2 - along * along;
     if across2 < 0.0 {
         return;
     }
     for i in 0..2 {
-        let across = if i == 0 {
-            across2.sqrt()
-        } else {
-            -across2.sqrt()
-        };
+        let across = if i == 0 { 1.0 } else { -1.0 } * across2.sqrt();
         let x = along * between.x - across * between.y;
         let y = along * between.y + across * between.x;
         let p = disc.centre + x * disc.u + y * disc.v;
         let at = over(other, p, spots.normal).truncate();
-        if is_over(other, at, slack) {
-            place(spots, p, other, sign, name | (CROSSING + i));
+        if is_over(other, at, role.slack) {
+            place(spots, p, other, role.sign, role.name | (CROSSING + i));
         }
     }
 }

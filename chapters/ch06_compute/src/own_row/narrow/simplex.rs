@@ -38,21 +38,23 @@ pub fn simplex_of(corner: Vec3) -> Simplex {
 }
 
 /// Takes a corner in, and drops those that the nearest point doesn't need then. It is taken to be
-/// needed: GJK has no other.
+/// needed, since GJK takes in no other: so the point is on a triangle of it and two of the old ones.
 pub fn take_in(simplex: &mut Simplex, corner: Vec3) {
-    let p = simplex.corners;
-    let mut best = on_segment(p[0], corner);
-    // The bit of the new corner, after those of the old ones.
     let last = simplex.count;
-    if simplex.count == 2 {
-        best = on_triangle(p[0], p[1], corner);
-    }
-    if simplex.count == 3 {
-        best = with_bits(on_triangle(p[0], p[1], corner), 0, 1);
-        best = nearer(best, with_bits(on_triangle(p[0], p[2], corner), 0, 2));
-        best = nearer(best, with_bits(on_triangle(p[1], p[2], corner), 1, 2));
-    }
     simplex.corners[last as usize] = corner;
+    let triangles = if last == 3 { 3 } else { 1 };
+    let mut best = Nearest {
+        point: corner,
+        needs: 1 << last,
+    };
+    for k in 0..triangles {
+        // 0 and 1, 0 and 2, 1 and 2; a single old corner twice.
+        let i = k / 2;
+        let j = (k + 1).min(2).min(last - 1);
+        let p = simplex.corners[i as usize];
+        let q = simplex.corners[j as usize];
+        best = nearer(best, with_bits(on_triangle(p, q, corner), i, j, last));
+    }
     simplex.nearest = best.point;
     let mut kept = 0;
     for i in 0..=last {
@@ -73,12 +75,12 @@ fn nearer(one: Nearest, other: Nearest) -> Nearest {
     }
 }
 
-/// The same where the three corners were the ones with bits i, j and 3.
-fn with_bits(nearest: Nearest, i: u32, j: u32) -> Nearest {
+/// The same where the three corners were the ones with bits i, j and `last`.
+fn with_bits(nearest: Nearest, i: u32, j: u32, last: u32) -> Nearest {
     let needs = nearest.needs;
     Nearest {
         point: nearest.point,
-        needs: (needs & 1) << i | (needs >> 1 & 1) << j | (needs >> 2 & 1) << 3,
+        needs: (needs & 1) << i | (needs >> 1 & 1) << j | (needs >> 2 & 1) << last,
     }
 }
 

@@ -32,8 +32,6 @@ pub struct Trees {
     pub loop_ends: Ends,
     /// The limits of each body.
     pub limit_ends: Ends,
-    /// The first joint of the scene that each node stands for.
-    joints: Vec<usize>,
     walked: Vec<Walked>,
 }
 // ANCHOR_END: trees
@@ -66,6 +64,16 @@ impl Ends {
         }
     }
 
+    /// A body came at which none ends.
+    pub fn add_body(&mut self) {
+        self.starts.push(self.rows.len() as u32);
+    }
+
+    /// A body at which none ended is gone.
+    pub fn remove_body(&mut self, body: usize) {
+        self.starts.remove(body);
+    }
+
     /// The rows that end at a body, and whether it is their b.
     pub fn at(&self, body: usize) -> impl Iterator<Item = (usize, bool)> {
         let range = self.starts[body] as usize..self.starts[body + 1] as usize;
@@ -76,7 +84,7 @@ impl Ends {
 }
 
 impl Trees {
-    /// The joints of a scene. A body's row is its index until [`Self::seat`] says otherwise.
+    /// The joints of a scene. A body's row is its index.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let forest = Forest::of(scene);
@@ -88,10 +96,14 @@ impl Trees {
         trees.loops = forest.loops.iter().map(|&j| closing(scene, j)).collect();
         let indices = 0..scene.joints.len();
         trees.limits = indices.filter_map(|j| limit_of(scene, j)).collect();
+        let bonds = forest.trees.iter().flatten();
+        for bond in bonds.filter_map(|place| place.bond.as_ref()) {
+            trees.pin_limits(bond);
+        }
         let bodies = scene.bodies.len();
-        let of_loops = trees.loops.iter().map(|node| (node.parent_id, node.id));
+        let of_loops = trees.loops.iter().map(|node| (node.parent_body, node.body));
         trees.loop_ends = Ends::of(bodies, &of_loops.collect::<Vec<_>>());
-        let of_limits = trees.limits.iter().map(|limit| (limit.id_a, limit.id_b));
+        let of_limits = trees.limits.iter().map(|limit| (limit.a, limit.b));
         trees.limit_ends = Ends::of(bodies, &of_limits.collect::<Vec<_>>());
         trees
     }
@@ -121,17 +133,11 @@ impl Trees {
             let node = place.bond.as_ref().map_or_else(Node::free, Node::of);
             self.nodes.push(Node {
                 body: place.body as u32,
-                id: place.body as u32,
                 parent: parent.map_or(NONE, |parent| parent as u32),
                 depth: place.depth as u32,
                 first_child: NONE,
                 ..node
             });
-            let joint = place
-                .bond
-                .as_ref()
-                .map_or(usize::MAX, |bond| bond.joints[0]);
-            self.joints.push(joint);
         }
         self.trees.push(first..self.nodes.len());
     }
@@ -141,12 +147,21 @@ impl Trees {
     fn fill_up(&mut self) {
         let full = self.nodes.len().next_multiple_of(WORKGROUP);
         self.nodes.resize(full, Node::default());
-        self.joints.resize(full, usize::MAX);
         for group in self.nodes.chunks_mut(WORKGROUP) {
             let levels = group.iter().map(|node| node.depth).max().unwrap_or(0);
             for node in group {
                 node.levels = levels;
             }
+        }
+    }
+
+    /// A limit of one of two pins turns about the line of both.
+    fn pin_limits(&mut self, bond: &Bond) {
+        let is_of = |limit: &&mut Limit| bond.joints.contains(&(limit.joint as usize));
+        for limit in self.limits.iter_mut().filter(is_of) {
+            let [a, b] = bond.anchors.map(|anchor| anchor.as_vec3());
+            let is_flipped = limit.a as usize != bond.a;
+            [limit.anchor_a, limit.anchor_b] = if is_flipped { [b, a] } else { [a, b] };
         }
     }
 
@@ -159,8 +174,8 @@ impl Trees {
         match self.trees.iter().find(|tree| tree.len() > WORKGROUP) {
             None => Ok(()),
             Some(tree) => Err(TreeError {
-                joint: self.joints[tree.start + WORKGROUP],
-                body: self.nodes[tree.start + WORKGROUP].id as usize,
+                joint: self.nodes[tree.start + WORKGROUP].joint as usize,
+                body: self.nodes[tree.start + WORKGROUP].body as usize,
                 bodies: tree.len(),
                 most: WORKGROUP,
             }),
@@ -168,17 +183,24 @@ impl Trees {
     }
     // ANCHOR_END: fits
 
-    /// Notes in which rows the bodies are: `row_of` is asked with their IDs.
-    pub fn seat(&mut self, row_of: &[u32]) {
-        for node in self.nodes.iter_mut().chain(&mut self.loops) {
-            if node.kind != EMPTY {
-                seat_node(node, row_of);
+    /// A body without joints is gone: those after it have moved up.
+    pub fn remove_body(&mut self, body: usize) {
+        let move_up = |row: &mut u32| {
+            if *row != NONE && *row as usize > body {
+                *row -= 1;
             }
+        };
+        for node in self.nodes.iter_mut().chain(&mut self.loops) {
+            move_up(&mut node.body);
+            move_up(&mut node.parent_body);
+            move_up(&mut node.second_parent);
         }
         for limit in &mut self.limits {
-            limit.a = row_of[limit.id_a as usize];
-            limit.b = row_of[limit.id_b as usize];
+            move_up(&mut limit.a);
+            move_up(&mut limit.b);
         }
+        self.limit_ends.remove_body(body);
+        self.loop_ends.remove_body(body);
     }
 
     /// Forgets what held in the last substep.
@@ -207,29 +229,20 @@ impl Trees {
     }
 }
 
-/// Notes in which rows a node's bodies are.
-pub fn seat_node(node: &mut Node, row_of: &[u32]) {
-    let row = |id: u32| {
-        if id == NONE {
-            NONE
-        } else {
-            row_of[id as usize]
-        }
-    };
-    node.body = row(node.id);
-    node.parent_body = row(node.parent_id);
-    node.second_parent = row(node.second_id);
-}
-
 impl Node {
+    /// Row of its body; None where the row only fills up a workgroup.
+    #[must_use]
+    pub fn row(&self) -> Option<usize> {
+        (self.kind != EMPTY).then_some(self.body as usize)
+    }
+
     /// Nothing holds it.
     fn free() -> Self {
         Self {
             kind: FREE,
             parent_body: NONE,
-            parent_id: NONE,
             second_parent: NONE,
-            second_id: NONE,
+            joint: NONE,
             ..Self::default()
         }
     }
@@ -249,9 +262,7 @@ impl Node {
             length: bond.lengths[0] as f32,
             second_length: bond.lengths[1] as f32,
             second_parent: second,
-            id: bond.b as u32,
-            parent_id: bond.a as u32,
-            second_id: second,
+            joint: bond.joints[0] as u32,
             ..Self::default()
         }
     }

@@ -5,10 +5,15 @@ use glam::{Quat, Vec3};
 use super::Rate;
 use crate::rows::{HINGE, Node, PIN, ROD, TWO_RODS};
 
-/// The share of a gap that a substep closes: all of it. Joints of a tree are solved together and last, so
-/// no blow and no push parts them; all that is left of a gap is by how much a turning arm's end leaves
-/// its tangent in a substep, ½ h² ω² r.
-pub const JOINT_SHARE: f32 = 1.0;
+/// The share of a gap that a substep closes in any case.
+pub const JOINT_SHARE: f32 = 0.2;
+
+/// Up to this, m/s, a substep closes a gap once more, and all of it. In common motion that is the most of
+/// it; where a chain lashes about, it would feed the gaps of fast turns into the velocities.
+pub const GENTLE_CLOSING: f32 = 0.2;
+
+/// The same for a hinge's axes, rad/s.
+pub const GENTLE_ALIGNING: f32 = 1.0;
 
 /// The fastest that a gap closes, m/s: joints that were torn apart (by a mouse, say) come together
 /// without a bang.
@@ -76,6 +81,15 @@ pub fn link_of(node: &Node, child: &Bone, parent: &Bone, second: &Bone, h: f32) 
 }
 // ANCHOR_END: link_of
 
+// ANCHOR: closing
+/// How fast a gap closes. Joints of a tree are solved together and last, so no blow and no push parts
+/// them; what opens a gap is that the end of a turning arm leaves its circle along the tangent, by
+/// d = ½ h² ω² r in a substep. Where a share s of a gap is closed, d/s of it remains.
+fn closing(gap: Vec3, gentle: f32, fastest: f32, h: f32) -> Vec3 {
+    at_most(gap * (JOINT_SHARE / h) + at_most(gap / h, gentle), fastest)
+}
+// ANCHOR_END: closing
+
 // ANCHOR: pinned
 /// Two points. Impulses act midway between them, or the pair of them would turn both bodies while there
 /// is a gap.
@@ -94,7 +108,7 @@ fn pinned(node: &Node, child: &Bone, parent: &Bone, h: f32) -> Link {
         relative(child.rate, parent.rate, &link),
         relative(child.push, parent.push, &link),
     ];
-    let closing = at_most(gap * (JOINT_SHARE / h), FASTEST_CLOSING);
+    let closing = closing(gap, GENTLE_CLOSING, FASTEST_CLOSING, h);
     link.wanted[0].velocity = -speeds[0] - closing;
     link.wanted[1].velocity = -speeds[1];
     link
@@ -111,9 +125,11 @@ fn relative(child: Rate, parent: Rate, link: &Link) -> Vec3 {
 fn align(link: &mut Link, node: &Node, child: &Bone, parent: &Bone, h: f32) {
     let axis = child.attitude * node.axis;
     let parent_axis = parent.attitude * node.parent_axis;
-    let aligning = at_most(
-        parent_axis.cross(axis) * (JOINT_SHARE / h),
+    let aligning = closing(
+        parent_axis.cross(axis),
+        GENTLE_ALIGNING,
         FASTEST_ALIGNING,
+        h,
     );
     let across = |v: Vec3| v - axis * axis.dot(v);
     link.along = axis;
@@ -159,11 +175,11 @@ fn rod(hook: Vec3, length: f32, child: &Bone, parent: &Bone, arm: Vec3, h: f32) 
     let along = line / distance.max(SMALL);
     let stretching =
         |child: Rate, parent: Rate| along.dot(child.at(arm).velocity - parent.at(hook).velocity);
-    let closing = (distance - length) * (JOINT_SHARE / h);
+    let gap = along * (distance - length);
+    let closing = closing(gap, GENTLE_CLOSING, FASTEST_CLOSING, h);
     Rod {
         along,
-        wanted: -stretching(child.rate, parent.rate)
-            - closing.clamp(-FASTEST_CLOSING, FASTEST_CLOSING),
+        wanted: -stretching(child.rate, parent.rate) - along.dot(closing),
         pushed: -stretching(child.push, parent.push),
     }
 }

@@ -52,6 +52,7 @@ fn add_joint(scene: &mut Scene, a: usize, b: usize, random: &mut SplitMix64) {
     let axis = random.vector(1.0).normalize();
     let turned = |body: usize| scene.bodies[body].orientation.conjugate() * axis;
     let axes = [turned(a), turned(b) + random.vector(0.01)];
+    let kind = random.next_u64();
     let mut rod = |scene: &mut Scene, anchor_a| {
         let length = random.between(0.99, 1.01);
         scene.joints.push(Joint::Distance {
@@ -62,7 +63,7 @@ fn add_joint(scene: &mut Scene, a: usize, b: usize, random: &mut SplitMix64) {
             length,
         });
     };
-    match seed_of(a, b) % if a == 0 { 4 } else { 3 } {
+    match kind % if a == 0 { 4 } else { 3 } {
         0 => scene.joints.push(Joint::pin(a, b, anchor_a, anchor_b)),
         1 => scene.joints.push(Joint::Hinge {
             a,
@@ -81,11 +82,6 @@ fn add_joint(scene: &mut Scene, a: usize, b: usize, random: &mut SplitMix64) {
             }
         }
     }
-}
-
-/// Something that depends on both.
-fn seed_of(a: usize, b: usize) -> u64 {
-    SplitMix64::new((100 * a + b) as u64).next_u64()
 }
 
 /// A world in which the last substep's impulses, what has been given of them, and pushes are anything.
@@ -112,6 +108,11 @@ fn a_tree_is_solved_as_a_dense_solve_of_all_its_joints_does() {
         let mut world = random_world(&scene, seed);
         let dense = Dense::of(&world);
         world.solve_trees();
+        let lacks = dense.lacks(&world);
+        assert!(
+            lacks < 3e-5,
+            "tree {seed}: a joint's speed is off by {lacks} m/s"
+        );
         let [moved, pushed] = dense.after();
         for row in 1..scene.bodies.len() {
             let off = [
@@ -121,7 +122,8 @@ fn a_tree_is_solved_as_a_dense_solve_of_all_its_joints_does() {
                 world.bodies.push[row].angular_velocity.as_dvec3() - pushed[row].1,
             ];
             for off in off {
-                assert!(off.length() < 2e-4, "tree {seed}, body {row}: {off}");
+                // They turn at up to 60 rad/s.
+                assert!(off.length() < 5e-4, "tree {seed}, body {row}: {off}");
             }
         }
     }

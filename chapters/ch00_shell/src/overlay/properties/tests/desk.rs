@@ -180,7 +180,7 @@ impl Desk {
 }
 
 /// The texts of a shape that can be seen.
-fn collect(shape: &Shape, clip: Rect, texts: &mut Vec<Text>) {
+pub fn collect(shape: &Shape, clip: Rect, texts: &mut Vec<Text>) {
     match shape {
         Shape::Vec(shapes) => shapes.iter().for_each(|shape| collect(shape, clip, texts)),
         Shape::Text(shape) => {

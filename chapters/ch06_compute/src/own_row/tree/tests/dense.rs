@@ -82,6 +82,21 @@ impl Dense {
         ]
     }
 
+    /// The largest speed by which a joint is off what it wants, in a world after its trees are solved.
+    pub fn lacks(&self, world: &World) -> f64 {
+        let bodies = &world.bodies;
+        let rate = |row: usize| {
+            let spin = bodies.spin[row].angular_velocity;
+            (bodies.motion[row].velocity.as_dvec3(), spin.as_dvec3())
+        };
+        let rates: Rates = (0..bodies.rows()).map(rate).collect();
+        let off = self
+            .rows
+            .iter()
+            .map(|row| (row.wanted - speed(row, &rates)).abs());
+        off.fold(0.0, f64::max)
+    }
+
     fn solved(&self, rates: &Rates, closes: bool) -> Rates {
         let couplings = |row: &Row| {
             self.rows
@@ -187,7 +202,7 @@ fn add_rows(world: &World, node: &Node, rows: &mut Vec<Row>) {
 fn add_pin(world: &World, node: &Node, rows: &mut Vec<Row>) {
     let (i, p) = (node.body as usize, node.parent_body as usize);
     let gap = world_point(world, i, node.anchor) - world_point(world, p, node.parent_anchor);
-    let closing = at_most(gap / f64::from(world.h), 10.0);
+    let closing = closing(gap / f64::from(world.h), 0.2, 10.0);
     let point = joint_point(world, node);
     for unit in DVec3::AXES {
         let parts = vec![
@@ -205,7 +220,7 @@ fn add_hinge(world: &World, node: &Node, rows: &mut Vec<Row>) {
     let (i, p) = (node.body as usize, node.parent_body as usize);
     let axis = attitude(world, i) * node.axis.as_dvec3();
     let parent_axis = attitude(world, p) * node.parent_axis.as_dvec3();
-    let aligning = at_most(parent_axis.cross(axis) / f64::from(world.h), 20.0);
+    let aligning = closing(parent_axis.cross(axis) / f64::from(world.h), 1.0, 20.0);
     for unit in <[DVec3; 2]>::from(axis.normalize().any_orthonormal_pair()) {
         let parts = vec![(i, DVec3::ZERO, unit), (p, DVec3::ZERO, -unit)];
         rows.push(Row {
@@ -222,15 +237,21 @@ fn add_rod(world: &World, node: &Node, p: u32, hook: Vec3, length: f32, rows: &m
         world_point(world, i, node.anchor),
     );
     let along = (end - start).normalize();
-    let closing = ((end - start).length() - f64::from(length)) / f64::from(world.h);
+    let gap = along * ((end - start).length() - f64::from(length));
+    let closing = closing(gap / f64::from(world.h), 0.2, 10.0);
     let parts = vec![
         (i, along, (end - position(world, i)).cross(along)),
         (p, -along, -(start - position(world, p)).cross(along)),
     ];
     rows.push(Row {
         parts,
-        wanted: -closing.clamp(-10.0, 10.0),
+        wanted: -closing.dot(along),
     });
+}
+
+/// A fifth of the speed that closes all, and all of it up to `gentle`.
+fn closing(all: DVec3, gentle: f64, fastest: f64) -> DVec3 {
+    at_most(0.2 * all + at_most(all, gentle), fastest)
 }
 
 fn at_most(v: DVec3, most: f64) -> DVec3 {

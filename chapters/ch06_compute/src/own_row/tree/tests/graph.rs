@@ -70,7 +70,7 @@ fn parents_stand_before_children_and_siblings_side_by_side_in_order_of_id() {
                     assert_eq!(trees.nodes[child].parent as usize, i);
                     assert_eq!(trees.nodes[child].parent_body, node.body);
                     assert_eq!(trees.nodes[child].depth, node.depth + 1);
-                    ids.push(trees.nodes[child].id);
+                    ids.push(trees.nodes[child].body);
                 }
                 assert!(ids.is_sorted());
             }
@@ -162,11 +162,14 @@ fn a_chain_of_more_bodies_than_a_workgroup_names_the_first_joint_too_many() {
 }
 
 #[test]
-fn nodes_follow_the_rows_of_their_bodies() {
-    let mut trees = Trees::of(&scene("cradle", None));
-    let rows: Vec<u32> = (0..8).rev().collect();
-    trees.seat(&rows);
-    let node = &trees.nodes[0];
-    assert_eq!((node.id, node.body), (2, 5));
-    assert_eq!((node.parent_body, node.second_parent), (7, 6));
+fn joints_follow_bodies_that_move_up() {
+    let mut scene = ring();
+    scene.joints = vec![Joint::pin(1, 3, DVec3::X, DVec3::NEG_X)];
+    let mut trees = Trees::of(&scene);
+    assert_eq!((trees.nodes[1].body, trees.nodes[1].parent_body), (3, 1));
+    trees.remove_body(2);
+    assert_eq!((trees.nodes[1].body, trees.nodes[1].parent_body), (2, 1));
+    trees.remove_body(0);
+    assert_eq!((trees.nodes[1].body, trees.nodes[1].parent_body), (1, 0));
+    assert_eq!((trees.nodes[0].body, trees.nodes[0].parent_body), (0, NONE));
 }

@@ -1,11 +1,12 @@
 //! A step without contacts: gravity, limits, loops, trees, and on.
 
+use ch00_maths::f32::spin::is_round;
 use ch00_scenes::{Scene, State};
 use glam::{DVec3, Vec3};
 
 use super::Trees;
 use crate::bodies::Bodies;
-use crate::own_row::body::turned;
+use crate::own_row::body::{turned, turned_with};
 use crate::own_row::contact::Side;
 use crate::own_row::limits::solve_limit;
 use crate::own_row::loops::solve_loop;
@@ -75,6 +76,7 @@ impl World {
         let turning = self.bodies.turned_by(row, held.angular);
         self.bodies.motion[row].velocity += held.linear * self.bodies.spin[row].inverse_mass;
         self.bodies.spin[row].angular_velocity += turning;
+        self.bodies.momentum[row] += held.angular;
     }
 
     /// Gravity, and what held it in the last substep.
@@ -109,6 +111,7 @@ impl World {
                 motion,
                 spin,
                 &bodies.solid[row],
+                bodies.before[row],
             )
         };
         for (limit, turned) in self.trees.limits.iter_mut().zip(&mut self.turned) {
@@ -161,13 +164,19 @@ impl World {
         let bodies = &mut self.bodies;
         let push = bodies.push[row];
         bodies.place[row].position += self.h * (bodies.motion[row].velocity + push.velocity);
-        let (attitude, spin) = turned(
-            bodies.attitude[row],
-            bodies.spin[row].angular_velocity,
-            push.angular_velocity,
-            bodies.solid[row].inverse_inertia,
-            self.h,
-        );
+        let (q, push) = (bodies.attitude[row], push.angular_velocity);
+        let inverse_inertia = bodies.solid[row].inverse_inertia;
+        let (attitude, spin) = if is_round(inverse_inertia) {
+            turned(
+                q,
+                bodies.spin[row].angular_velocity,
+                push,
+                inverse_inertia,
+                self.h,
+            )
+        } else {
+            turned_with(q, bodies.momentum[row], push, inverse_inertia, self.h)
+        };
         bodies.attitude[row] = attitude;
         bodies.spin[row].angular_velocity = spin;
     }

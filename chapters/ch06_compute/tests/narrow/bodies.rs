@@ -1,5 +1,7 @@
 //! Bodies for the tests of the narrow phase: random ones, and what is true of them in f64.
 
+use std::f64::consts::FRAC_PI_2;
+
 use ch00_scenes::random::SplitMix64;
 use ch06_compute::own_row::narrow::Posed;
 use ch06_compute::rows::{Manifold, WITH_A, WITH_B};
@@ -38,17 +40,20 @@ pub fn random_body(kind: u32, random: &mut SplitMix64) -> Posed {
     }
 }
 
-/// Two bodies: a quarter in any overlap, a quarter within 2 % of touching, a quarter up to apart by
-/// a size, a quarter in overlaps and gaps of any magnitude.
+/// Two bodies, four in five in any attitude: a fifth in any overlap, a fifth within 2 % of touching, a fifth
+/// up to apart by a size, a fifth in overlaps and gaps of any magnitude; and a fifth lying on each other.
 pub fn random_pair(kinds: [u32; 2], i: usize, random: &mut SplitMix64) -> (Posed, Posed) {
     let [mut a, mut b] = kinds.map(|kind| random_body(kind, random));
-    if i % 8 >= 4 {
+    if i % 10 >= 5 {
         std::mem::swap(&mut a, &mut b);
+    }
+    if i % 5 == 4 {
+        return lying_pair(a, b, random);
     }
     let direction = random.rotation() * DVec3::X;
     let touching = -apart_along(&a, &b, direction);
     let size = size(&a).min(size(&b));
-    let gap = match i % 4 {
+    let gap = match i % 5 {
         0 => -touching * random.unit(),
         1 => size * random.between(-0.02, 0.02),
         2 => size * random.between(-0.5, 1.0),
@@ -56,6 +61,22 @@ pub fn random_pair(kinds: [u32; 2], i: usize, random: &mut SplitMix64) -> (Posed
     };
     a.position = random.vector(3.0).as_vec3();
     b.position = (a.position.as_dvec3() + direction * (touching + gap)).as_vec3();
+    (a, b)
+}
+
+/// The second body on the first one, both standing or lying, nearly upright, and a little aside.
+fn lying_pair(mut a: Posed, mut b: Posed, random: &mut SplitMix64) -> (Posed, Posed) {
+    for body in [&mut a, &mut b] {
+        let quarter = DQuat::from_rotation_z(FRAC_PI_2 * f64::from(random.unit() < 0.5));
+        let turn = DQuat::from_rotation_y(random.between(0.0, 6.0));
+        let most = 1e-2 * random.unit();
+        let tilt = DQuat::from_scaled_axis(random.vector(most));
+        body.attitude = (tilt * turn * quarter).as_quat().normalize();
+    }
+    let size = size(&a).min(size(&b));
+    let gap = size * random.between(-0.01, 0.01);
+    let aside = random.vector(size) * DVec3::new(1.0, 0.0, 1.0);
+    b.position = (aside + (gap - apart_along(&a, &b, DVec3::Y)) * DVec3::Y).as_vec3();
     (a, b)
 }
 
@@ -149,4 +170,44 @@ pub fn parrys_normal(a: &Posed, b: &Posed) -> DVec3 {
         .expect("within 1000 km")
         .normal1;
     DVec3::new(n.x, n.y, n.z).normalize()
+}
+
+/// Half of a body's thickness, m.
+pub fn thin(body: &Posed) -> f64 {
+    f64::from(match body.kind {
+        BALL | CAPSULE => body.size.x,
+        BOX => body.size.min_element(),
+        _ => body.size.x.min(body.size.y),
+    })
+}
+
+/// How far a point is outside of a body, m; inside negative, by the nearest side.
+fn outside(body: &Posed, point: DVec3) -> f64 {
+    let p = attitude(body).conjugate() * (point - body.position.as_dvec3());
+    let size = body.size.as_dvec3();
+    let beyond = match body.kind {
+        BALL => return p.length() - size.x,
+        CAPSULE => {
+            let along = p.y.clamp(-size.y, size.y);
+            return (p - along * DVec3::Y).length() - size.x;
+        }
+        BOX => p.abs() - size,
+        _ => DVec3::new(
+            p.x.hypot(p.z) - size.x,
+            p.y.abs() - size.y,
+            f64::NEG_INFINITY,
+        ),
+    };
+    beyond.max(DVec3::ZERO).length() + beyond.max_element().min(0.0)
+}
+
+/// How far the nearest point of a pair is from lying on the surfaces of both, m.
+pub fn off_surfaces(m: &Manifold, a: &Posed, b: &Posed) -> f64 {
+    let normal = normal_of(m, a, b);
+    let distance = at_points(m, a, b);
+    let near = (0..distance.len()).min_by(|&i, &j| distance[i].total_cmp(&distance[j]));
+    let (core_a, core_b) = cores(m, a, b)[near.expect("there is a point")];
+    let on_a = core_a + f64::from(m.round_a) * normal;
+    let on_b = core_b - f64::from(m.round_b) * normal;
+    outside(a, on_a).abs().max(outside(b, on_b).abs())
 }

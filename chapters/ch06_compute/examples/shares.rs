@@ -1,0 +1,126 @@
+//! How many shares of its mass should a body have? A ball is held by others all around it, in a ring, and
+//! each presses on it. It gets a nudge; then all contacts mend their impulses at once, again and again. With
+//! too few shares each pass makes it worse. The answer to an exercise of the page on own rows.
+//!
+//! `cargo run --release -p ch06_compute --no-default-features --example shares -- [BALLS IN THE RING]`
+
+use ch00_maths::f32::real::{cos, sin};
+use ch06_compute::own_row::contact::{Before, Side, solve_pair};
+use ch06_compute::rows::{Impulse, Manifold, Material, ROUND, Step};
+use glam::{Mat3, Quat, Vec3, Vec4};
+
+/// Of all balls, m.
+const RADIUS: f32 = 0.5;
+/// Of the ball in the middle, kg.
+const MASS: f32 = 1.0;
+/// What each contact presses with at first, N s.
+const PRESSED: f32 = 1.0;
+/// The nudge, m/s.
+const NUDGE: f32 = 1e-3;
+const PASSES: usize = 5;
+
+fn main() {
+    let ring: usize = std::env::args()
+        .nth(1)
+        .map_or(8, |count| count.parse().expect("a number of balls"));
+    println!("a ball in a ring of {ring}, nudged by 1 mm/s; its speed after each pass, mm/s");
+    println!("shares  a pass leaves{}", heads());
+    for shares in [ring, 3 * ring / 4, ring / 2, ring / 4, 1] {
+        let theory = 1.0 - ring as f32 / (2.0 * shares as f32);
+        let speeds = passes(ring, shares as f32);
+        let speeds: String = speeds.into_iter().map(millimetres).collect();
+        println!("{shares:>6}{theory:>15.3}{speeds}");
+    }
+}
+
+/// A speed to a thousandth of a millimetre a second, and nothing as 0, not as −0.
+fn millimetres(speed: f32) -> String {
+    let rounded = (1e6 * speed).round() / 1e3;
+    format!("{:>9.3}", if rounded == 0.0 { 0.0 } else { rounded })
+}
+
+fn heads() -> String {
+    (1..=PASSES).map(|pass| format!("{pass:>9}")).collect()
+}
+
+// ANCHOR: passes
+/// The ball's speed along the nudge after each pass, m/s.
+fn passes(ring: usize, shares: f32) -> Vec<f32> {
+    let step = Step {
+        h: 1.0,
+        impact_speed: f32::INFINITY,
+        ..Step::default()
+    };
+    let contact = Manifold {
+        turns: ROUND,
+        round_a: RADIUS,
+        round_b: RADIUS,
+        points: 1,
+        ..Manifold::default()
+    };
+    let mut impulses = vec![pressed(PRESSED); ring];
+    let mut velocity = NUDGE * Vec3::X;
+    let pass = |_| {
+        let before = velocity;
+        for (k, impulse) in impulses.iter_mut().enumerate() {
+            let old = *impulse;
+            let sides = [middle(before, shares), around(k, ring)];
+            let mut approach = Vec4::ZERO;
+            // The impulse is mended in place; what bodies would gather isn't needed here.
+            let _ = solve_pair(
+                &contact,
+                &Material::default(),
+                impulse,
+                &mut approach,
+                sides,
+                &step,
+            );
+            let change = impulse.normal.x - old.normal.x;
+            velocity -= direction(k, ring) * (change / MASS);
+        }
+        velocity.x
+    };
+    (0..PASSES).map(pass).collect()
+}
+// ANCHOR_END: passes
+
+fn pressed(normal: f32) -> Impulse {
+    Impulse {
+        normal: Vec4::X * normal,
+        ..Impulse::default()
+    }
+}
+
+/// Where ball k of the ring is, as a unit vector.
+fn direction(k: usize, ring: usize) -> Vec3 {
+    let angle = std::f32::consts::TAU * (k as f32 + 0.5) / ring as f32;
+    Vec3::new(cos(angle), sin(angle), 0.0)
+}
+
+/// The ball in the middle.
+fn middle(velocity: Vec3, shares: f32) -> Side {
+    Side {
+        velocity,
+        inverse_mass: 1.0 / MASS,
+        shared_mass: shares / MASS,
+        ..at(Vec3::ZERO)
+    }
+}
+
+/// A ball of the ring, which nothing moves.
+fn around(k: usize, ring: usize) -> Side {
+    at(2.0 * RADIUS * direction(k, ring))
+}
+
+fn at(position: Vec3) -> Side {
+    Side {
+        position,
+        attitude: Quat::IDENTITY,
+        velocity: Vec3::ZERO,
+        angular_velocity: Vec3::ZERO,
+        inverse_mass: 0.0,
+        shared_mass: 0.0,
+        shared_inertia: Mat3::ZERO,
+        before: Before::default(),
+    }
+}

@@ -1,0 +1,251 @@
+//! The columns of pairs: made, filled, and made larger.
+
+use super::kernels::PER_BLOCK;
+use super::plan::{ASIDE, Plan, TOO_LARGE};
+use crate::bodies::Bodies;
+use crate::lanes::forces::Forces;
+use crate::rows::{
+    Bound, Contact, GridOf, Held, Memory, Mouse, NONE, PAIR_STATUS_LEN, PairsOf, Partner, Pivot,
+    Pressed, Rigid, Scan, Step, Total, status_place,
+};
+use crate::stream::{Columns, Gpu, StreamError};
+use ch00_scenes::Scene;
+
+/// For how much there is room at first. It grows on demand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Room {
+    /// Partners of a body.
+    pub partners: usize,
+    /// Pairs.
+    pub pairs: usize,
+    /// Pairs of large bodies that move.
+    pub large_pairs: usize,
+}
+
+impl Room {
+    /// For so many bodies.
+    #[must_use]
+    pub fn for_bodies(bodies: usize) -> Self {
+        Self {
+            partners: 16,
+            pairs: (3 * bodies).max(256),
+            large_pairs: 256,
+        }
+    }
+}
+
+/// Columns of which a body needs more than one row, or of which the row is large: bytes a body.
+fn bytes_a_body(room: Room) -> [(&'static str, usize); 3] {
+    [
+        ("rigids", size_of::<Rigid>()),
+        ("partners_a", (room.partners + 1) * size_of::<Partner>()),
+        ("incidents", (room.partners + 1) * size_of::<u32>()),
+    ]
+}
+
+// ANCHOR: fits
+/// Whether the device has room for so many bodies, and for how many it has.
+///
+/// # Errors
+/// [`StreamError::TooLarge`], before anything is allocated.
+pub fn fits(gpu: &Gpu, bodies: usize, room: Room) -> Result<(), StreamError> {
+    let columns = bytes_a_body(room).into_iter();
+    let most = |(column, bytes): (&'static str, usize)| (gpu.most_rows(bytes), column, bytes);
+    let least = columns.map(most).min();
+    match least {
+        Some((most, column, row_bytes)) if bodies as u64 > most => Err(StreamError::TooLarge {
+            column: column.to_owned(),
+            asked: bodies as u64,
+            row_bytes: row_bytes as u64,
+            most,
+            device: gpu.name.clone(),
+        }),
+        _ => Ok(()),
+    }
+}
+// ANCHOR_END: fits
+
+/// Makes all columns.
+///
+/// # Errors
+/// [`StreamError::TooLarge`], [`StreamError::OutOfMemory`].
+pub fn allocate(
+    columns: &mut Columns,
+    grid: &GridOf,
+    pairs_of: &PairsOf,
+    room: Room,
+) -> Result<(), StreamError> {
+    let (rows, starts) = (grid.capacity as usize, grid.starts as usize);
+    let pair_counts = pair_counts(grid, pairs_of);
+    columns.add::<Rigid>("rigids", rows)?;
+    columns.add::<Held>("helds", rows)?;
+    columns.add::<Bound>("bounds", rows)?;
+    columns.add::<Bound>("sorted", rows)?;
+    for name in ["slots", "order"] {
+        columns.add::<u32>(name, rows)?;
+    }
+    for name in ["counts", "starts"] {
+        columns.add::<u32>(name, starts)?;
+    }
+    for name in ["pair_counts", "pair_starts"] {
+        columns.add::<u32>(name, pair_counts)?;
+    }
+    columns.add::<u32>("blocks", starts.max(pair_counts).div_ceil(PER_BLOCK))?;
+    for side in ["a", "b"] {
+        columns.add::<Partner>(&format!("partners_{side}"), (room.partners + 1) * rows)?;
+        columns.add::<Memory>(&format!("memories_{side}"), room.pairs)?;
+    }
+    columns.add::<u32>("incidents", (room.partners + 1) * rows)?;
+    columns.add::<Contact>("touches", room.pairs)?;
+    columns.add::<Pressed>("presses", room.pairs)?;
+    columns.add::<[u32; 4]>("live", room.pairs)?;
+    columns.add::<u32>("large_pairs", room.large_pairs)?;
+    columns.add::<Total>("totals", pairs_of.larges as usize)?;
+    let indirect = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT;
+    columns.add_for::<[u32; 3]>("groups", pairs_of.kinds as usize + 1, indirect)?;
+    columns.add::<u32>("status", PAIR_STATUS_LEN)?;
+    let mut status = [0; PAIR_STATUS_LEN];
+    status[status_place("FIRST_NOT_FINITE")] = u32::MAX;
+    columns.write("status", &status)?;
+    add_uniforms(columns, grid, pairs_of)
+}
+
+fn add_uniforms(
+    columns: &mut Columns,
+    grid: &GridOf,
+    pairs_of: &PairsOf,
+) -> Result<(), StreamError> {
+    let scan = |counts: usize| Scan {
+        counts: counts as u32,
+        ..Scan::default()
+    };
+    columns.add_uniform("grid", grid)?;
+    columns.add_uniform("pairs_of", pairs_of)?;
+    columns.add_uniform("cell_scan", &scan(grid.starts as usize))?;
+    columns.add_uniform("pair_scan", &scan(pair_counts(grid, pairs_of)))?;
+    columns.add_uniform("step", &Step::default())?;
+    columns.add_uniform("mouse", &no_mouse())
+}
+
+/// A mouse that holds nothing.
+#[must_use]
+pub fn no_mouse() -> Mouse {
+    Mouse {
+        body: NONE,
+        ..Mouse::default()
+    }
+}
+
+/// How many counts of pairs there are: of each kind by body, of each large body that moves by body, and
+/// the end.
+#[must_use]
+pub fn pair_counts(grid: &GridOf, pairs_of: &PairsOf) -> usize {
+    (pairs_of.kinds + pairs_of.larges) as usize * grid.rows as usize + 1
+}
+
+/// Writes the rows of all bodies, and what doesn't change.
+///
+/// # Errors
+/// What the device can lack.
+pub fn upload(
+    columns: &mut Columns,
+    scene: &Scene,
+    bodies: &Bodies,
+    forces: &Forces,
+    plan: &Plan,
+) -> Result<(), StreamError> {
+    let lists = ignored_lists(scene, bodies.rows());
+    let mut first = 0;
+    let mut rigids = Vec::with_capacity(bodies.rows());
+    for (row, list) in lists.iter().enumerate() {
+        let pivot = forces.pivots.iter().position(|pivot| pivot.body == row);
+        rigids.push(Rigid {
+            role: role_of(bodies, plan, row, pivot.is_some()),
+            large: plan.large(row),
+            ignored: first,
+            ignored_count: list.len() as u32,
+            pivot: pivot.map_or(NONE, |pivot| pivot as u32),
+            ..rigid_of(bodies, row)
+        });
+        first += list.len() as u32;
+    }
+    columns.write("rigids", &rigids)?;
+    let ignored = lists.concat();
+    columns.add::<u32>("ignored", ignored.len())?;
+    columns.write("ignored", &ignored)?;
+    let pivots: Vec<Pivot> = forces.pivots.iter().map(pivot_of).collect();
+    columns.add::<Pivot>("pivots", pivots.len())?;
+    columns.write("pivots", &pivots)
+}
+
+fn pivot_of(pivot: &crate::lanes::forces::Pivot) -> Pivot {
+    Pivot {
+        point: pivot.point,
+        mass: pivot.mass,
+        arm: pivot.arm,
+        body: pivot.body as u32,
+    }
+}
+
+/// By body: the rows of those that joints connect it to, in order.
+fn ignored_lists(scene: &Scene, bodies: usize) -> Vec<Vec<u32>> {
+    let mut lists = vec![Vec::new(); bodies];
+    for joint in &scene.joints {
+        let (a, b) = joint.bodies();
+        lists[a].push(b as u32);
+        lists[b].push(a as u32);
+    }
+    for list in &mut lists {
+        list.sort_unstable();
+        list.dedup();
+    }
+    lists
+}
+
+fn role_of(bodies: &Bodies, plan: &Plan, row: usize, is_aside: bool) -> u32 {
+    if is_aside {
+        return ASIDE;
+    }
+    if bodies.place[row].reach > plan.largest_in_grid {
+        TOO_LARGE
+    } else {
+        0
+    }
+}
+
+/// A body's row, as far as it follows from the body alone.
+fn rigid_of(bodies: &Bodies, row: usize) -> Rigid {
+    let (place, motion, spin) = (&bodies.place[row], &bodies.motion[row], &bodies.spin[row]);
+    let (solid, material) = (&bodies.solid[row], &bodies.material[row]);
+    Rigid {
+        position: place.position,
+        reach: place.reach,
+        attitude: bodies.attitude[row],
+        velocity: motion.velocity,
+        shares: 1.0,
+        angular_velocity: spin.angular_velocity,
+        inverse_mass: spin.inverse_mass,
+        inverse_inertia: solid.inverse_inertia,
+        kind: solid.kind,
+        size: solid.size,
+        restitution: material.restitution,
+        friction: material.friction,
+        static_friction: material.static_friction,
+        ..Rigid::default()
+    }
+}
+
+/// Makes more room.
+///
+/// # Errors
+/// [`StreamError::TooLarge`], [`StreamError::OutOfMemory`].
+pub fn grow(columns: &mut Columns, grid: &GridOf, room: Room) -> Result<(), StreamError> {
+    let lists = (room.partners + 1) * grid.capacity as usize;
+    for name in ["partners_a", "partners_b", "incidents"] {
+        columns.reserve(name, lists)?;
+    }
+    for name in ["memories_a", "memories_b", "touches", "presses", "live"] {
+        columns.reserve(name, room.pairs)?;
+    }
+    columns.reserve("large_pairs", room.large_pairs)
+}

@@ -1,0 +1,282 @@
+//! The kernels of a step of pairs, each compiled once, and the order in which they run.
+
+use super::plan::Plan;
+use crate::stream::{Gpu, Kernel, Passes, StreamError, source};
+
+/// Counts in a block of the scan: `ch06_pair_scan.wgsl` has it too.
+pub const PER_BLOCK: usize = 4096;
+
+/// Columns that change sides from step to step: what this step writes, the next one looks up.
+const PARTNERS: [&str; 2] = ["partners_a", "partners_b"];
+const MEMORIES: [&str; 2] = ["memories_a", "memories_b"];
+
+/// A kernel bound to either side.
+#[derive(Debug)]
+struct Sided([Kernel; 2]);
+
+impl Sided {
+    /// Binds a kernel: `naming` says which columns it has on a side.
+    fn of(
+        kernel: &Kernel,
+        naming: impl Fn(usize) -> Vec<(&'static str, &'static str)>,
+    ) -> Result<Self, StreamError> {
+        Ok(Self([
+            kernel.renamed(&naming(0))?,
+            kernel.renamed(&naming(1))?,
+        ]))
+    }
+}
+
+/// A scan over one column of counts.
+#[derive(Debug)]
+struct Scanning([Kernel; 3]);
+
+impl Scanning {
+    fn of(gpu: &Gpu, names: &[(&str, &str); 3]) -> Result<Self, StreamError> {
+        let kernel = |entry, bound: &[(&str, &str)]| {
+            let kernel = Kernel::new(gpu, "scan", &source("ch06_pair_scan")?, entry, &[])?;
+            kernel.renamed(bound)
+        };
+        let [uniform, counts, starts] = *names;
+        Ok(Self([
+            kernel("scan_blocks", &[uniform, counts, starts])?,
+            kernel("scan_sums", &[uniform])?,
+            kernel("scan_add", &[uniform, starts])?,
+        ]))
+    }
+
+    fn run(&self, passes: &mut Passes<'_>, counts: usize) -> Result<(), StreamError> {
+        let blocks = counts.div_ceil(PER_BLOCK);
+        passes.run_workgroups(&self.0[0], blocks)?;
+        if blocks > 1 {
+            passes.run_workgroups(&self.0[1], 1)?;
+            passes.run(&self.0[2], counts)?;
+        }
+        Ok(())
+    }
+}
+
+/// How many rows and counts the passes run over.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sizes {
+    /// Bodies.
+    pub rows: usize,
+    /// Starts of the grid's slots.
+    pub starts: usize,
+    /// Counts of pairs by kind and body.
+    pub pair_counts: usize,
+    /// Large bodies that move.
+    pub larges: usize,
+    /// Parts of a step.
+    pub substeps: u32,
+}
+
+/// All kernels of a step.
+#[derive(Debug)]
+pub struct PairKernels {
+    cells: Kernel,
+    scan_cells: Scanning,
+    scatter: Kernel,
+    sort: Kernel,
+    find: Sided,
+    scan_pairs: Scanning,
+    plan: Kernel,
+    list: Sided,
+    /// By kind of pair.
+    meet: Vec<Sided>,
+    large: Option<Kernel>,
+    start: Sided,
+    solve: Sided,
+    solve_last: Sided,
+    advance: Kernel,
+    advance_last: Kernel,
+    restore: Option<(Sided, Kernel)>,
+}
+
+impl PairKernels {
+    /// Compiles them for a plan.
+    ///
+    /// # Errors
+    /// [`StreamError::Kernel`].
+    pub fn of(gpu: &Gpu, plan: &Plan) -> Result<Self, StreamError> {
+        let make = |name, file: &str, entry: &str, last: bool| {
+            kernel(gpu, name, file, entry, &constants(plan, last))
+        };
+        let advance = |last| make("advance", "ch06_pair_advance", "pair_advance", last);
+        let solve = |last| -> Result<Sided, StreamError> {
+            Sided::of(
+                &make("solve", "ch06_pair_solve", "pair_solve", last)?,
+                name_solve,
+            )
+        };
+        let meet = |(slot, &kind): (usize, &u32)| {
+            let mut all = constants(plan, false);
+            all.extend([("PAIR_KIND", f64::from(kind)), ("SLOT", slot as f64)]);
+            let kernel = kernel(gpu, "meet", "ch06_pair_meet", "pair_meet", &all)?;
+            Sided::of(&kernel, name_meet)
+        };
+        let restore = || -> Result<_, StreamError> {
+            let restore = make("restore", "ch06_pair_solve", "pair_restore", true)?;
+            let rebound = make("rebound", "ch06_pair_advance", "pair_rebound", true)?;
+            Ok((Sided::of(&restore, name_solve)?, rebound))
+        };
+        let cell_names = [
+            ("scan", "cell_scan"),
+            ("counts", "counts"),
+            ("starts", "starts"),
+        ];
+        let pair_names = [
+            ("scan", "pair_scan"),
+            ("counts", "pair_counts"),
+            ("starts", "pair_starts"),
+        ];
+        let large = || make("large", "ch06_pair_large", "pair_large", false);
+        Ok(Self {
+            cells: make("cells", "ch06_pair_cells", "pair_cells", false)?,
+            scan_cells: Scanning::of(gpu, &cell_names)?,
+            scatter: make("scatter", "ch06_pair_sort", "pair_scatter", false)?,
+            sort: make("sort", "ch06_pair_sort", "pair_sort", false)?,
+            find: Sided::of(
+                &make("find", "ch06_pair_find", "pair_find", false)?,
+                name_lists,
+            )?,
+            scan_pairs: Scanning::of(gpu, &pair_names)?,
+            plan: make("plan", "ch06_pair_list", "pair_plan", false)?,
+            list: Sided::of(
+                &make("list", "ch06_pair_list", "pair_list", false)?,
+                name_lists,
+            )?,
+            meet: plan
+                .kinds
+                .iter()
+                .enumerate()
+                .map(meet)
+                .collect::<Result<_, _>>()?,
+            large: if plan.larges.is_empty() {
+                None
+            } else {
+                Some(large()?)
+            },
+            start: Sided::of(
+                &make("start", "ch06_pair_start", "pair_start", false)?,
+                name_lists,
+            )?,
+            solve: solve(false)?,
+            solve_last: solve(true)?,
+            advance: advance(false)?,
+            advance_last: advance(true)?,
+            restore: if plan.bounces { Some(restore()?) } else { None },
+        })
+    }
+
+    // ANCHOR: step
+    /// The passes of a step, by the numbers of which every second one has the same side.
+    ///
+    /// # Errors
+    /// What the device can lack.
+    pub fn step(
+        &self,
+        passes: &mut Passes<'_>,
+        sizes: &Sizes,
+        number: u32,
+    ) -> Result<(), StreamError> {
+        let side = number as usize & 1;
+        self.find(passes, sizes, side)?;
+        passes.section("narrow phase");
+        for (slot, meet) in self.meet.iter().enumerate() {
+            passes.run_indirect(&meet.0[side], "groups", slot + 1)?;
+        }
+        passes.section("substeps");
+        self.add_large(passes, sizes)?;
+        passes.run(&self.start.0[side], sizes.rows)?;
+        for substep in 1..=sizes.substeps {
+            let is_last = substep == sizes.substeps;
+            let solve = if is_last {
+                &self.solve_last
+            } else {
+                &self.solve
+            };
+            let advance = if is_last {
+                &self.advance_last
+            } else {
+                &self.advance
+            };
+            passes.run_indirect(&solve.0[side], "groups", 0)?;
+            self.add_large(passes, sizes)?;
+            passes.run(advance, sizes.rows)?;
+        }
+        if let Some((restore, rebound)) = &self.restore {
+            passes.section("restitution");
+            passes.run_indirect(&restore.0[side], "groups", 0)?;
+            self.add_large(passes, sizes)?;
+            passes.run(rebound, sizes.rows)?;
+        }
+        Ok(())
+    }
+    // ANCHOR_END: step
+
+    /// The broad phase.
+    fn find(&self, passes: &mut Passes<'_>, sizes: &Sizes, side: usize) -> Result<(), StreamError> {
+        passes.section("broad phase");
+        passes.run(&self.cells, sizes.rows)?;
+        self.scan_cells.run(passes, sizes.starts)?;
+        passes.run(&self.scatter, sizes.rows)?;
+        passes.run(&self.sort, sizes.rows)?;
+        passes.run(&self.find.0[side], sizes.rows)?;
+        self.scan_pairs.run(passes, sizes.pair_counts)?;
+        passes.run_workgroups(&self.plan, 1)?;
+        passes.run(&self.list.0[side], sizes.rows)
+    }
+
+    /// What pairs did to large bodies that move.
+    fn add_large(&self, passes: &mut Passes<'_>, sizes: &Sizes) -> Result<(), StreamError> {
+        match &self.large {
+            Some(large) => passes.run_workgroups(large, sizes.larges),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The constants of a plan; each kernel takes those that it has.
+fn constants(plan: &Plan, last: bool) -> Vec<(&'static str, f64)> {
+    let flag = |on: bool| f64::from(u8::from(on));
+    vec![
+        ("POINTS", f64::from(plan.points)),
+        ("BOUNCES", flag(plan.bounces)),
+        ("IGNORES", flag(plan.ignores)),
+        ("MOVING_LARGE", flag(!plan.larges.is_empty())),
+        ("PIVOTS", flag(plan.pivots)),
+        ("PULLS", flag(plan.poles)),
+        ("LAST", flag(last)),
+    ]
+}
+
+/// Compiles an entry point with those of the constants that its text has.
+fn kernel(
+    gpu: &Gpu,
+    name: &'static str,
+    file: &str,
+    entry: &str,
+    constants: &[(&'static str, f64)],
+) -> Result<Kernel, StreamError> {
+    let text = source(file)?;
+    let has = |(constant, _): &&(&str, f64)| text.contains(&format!("override {constant}:"));
+    let known: Vec<_> = constants.iter().filter(has).copied().collect();
+    Kernel::new(gpu, name, &text, entry, &known)
+}
+
+fn name_lists(side: usize) -> Vec<(&'static str, &'static str)> {
+    vec![("partners", PARTNERS[side])]
+}
+
+fn name_meet(side: usize) -> Vec<(&'static str, &'static str)> {
+    vec![
+        ("last_partners", PARTNERS[side ^ 1]),
+        ("last_memories", MEMORIES[side ^ 1]),
+        ("memories", MEMORIES[side]),
+    ]
+}
+
+fn name_solve(side: usize) -> Vec<(&'static str, &'static str)> {
+    vec![("memories", MEMORIES[side])]
+}

@@ -1,0 +1,88 @@
+// Where each body may be in the step, which slot of the grid it is in, and how many are in each. Large
+// bodies, those that touch nothing and those that are not finite are put behind all slots.
+// Needs common/index, common/rotation, rows, common/grid, common/pairing.
+
+@group(0) @binding(0) var<uniform> grid: GridOf;
+@group(0) @binding(1) var<uniform> pairs_of: PairsOf;
+@group(0) @binding(2) var<storage, read> rigids: array<Rigid>;
+@group(0) @binding(3) var<storage, read_write> bounds: array<Bound>;
+@group(0) @binding(4) var<storage, read_write> slots: array<u32>;
+@group(0) @binding(5) var<storage, read_write> counts: array<atomic<u32>>;
+@group(0) @binding(6) var<storage, read_write> status: array<atomic<u32>>;
+
+// The half width of a body along each axis, m: chapter 3's `Aabb::of_shape`.
+fn half_widths(rigid: Rigid) -> vec3f {
+    let axes = quat_matrix(rigid.attitude);
+    let size = rigid.size;
+    let up = abs(axes[1]);
+    switch rigid.kind {
+        case 0u: {
+            return vec3f(size.x);
+        }
+        case 1u: {
+            return abs(axes[0]) * size.x + up * size.y + abs(axes[2]) * size.z;
+        }
+        case 2u: {
+            return up * size.y + vec3f(size.x);
+        }
+        default: {
+            // A disc with the normal y reaches r √(1 − y_i²) along axis i.
+            return up * size.y + sqrt(max(vec3f(1.0) - up * up, vec3f(0.0))) * size.x;
+        }
+    }
+}
+
+// How far a body looks beyond itself, m: half the margin, and what it may move.
+fn ahead(rigid: Rigid, is_static: bool) -> f32 {
+    if is_static {
+        return 0.5 * grid.margin;
+    }
+    let turning = select(length(rigid.angular_velocity) * rigid.reach, 0.0, rigid.kind == 0u);
+    return 0.5 * grid.margin + (length(rigid.velocity) + turning) * grid.dt;
+}
+
+fn is_whole(rigid: Rigid) -> bool {
+    return all_finite(rigid.position) && all_finite(rigid.velocity)
+        && all_finite(rigid.angular_velocity) && all_finite(rigid.attitude.xyz)
+        && is_finite(rigid.attitude.w);
+}
+
+// ANCHOR: cells
+@compute @workgroup_size(WORKGROUP)
+fn pair_cells(@builtin(global_invocation_id) id: vec3u) {
+    let row = row_index(id);
+    let halted = atomicLoad(&status[HALTED]);
+    if row >= grid.rows || halted != 0u {
+        return;
+    }
+    let rigid = rigids[row];
+    let is_static = rigid.inverse_mass == 0.0 && all(rigid.inverse_inertia == vec3f(0.0));
+    let kind = row | (rigid.kind << KIND_SHIFT) | select(0u, STATIC, is_static);
+    var slot = slot_of_lost(grid);
+    // A box that holds nothing.
+    var bound = Bound(vec3f(1.0), kind, vec3f(-1.0), 0u);
+    if !is_whole(rigid) {
+        atomicAdd(&status[NOT_FINITE], 1u);
+        atomicMin(&status[FIRST_NOT_FINITE], row);
+    } else if rigid.role != ASIDE_OF_ALL {
+        let far = ahead(rigid, is_static);
+        let reach = half_widths(rigid) + far;
+        let cell = cell_of(grid, rigid.position);
+        let packed = vec3u(cell) & vec3u(1023u);
+        bound.low = rigid.position - reach;
+        bound.high = rigid.position + reach;
+        bound.cell = packed.x | (packed.y << 10u) | (packed.z << 20u);
+        if rigid.role == LARGE {
+            bound.body |= OVERSIZED;
+        } else {
+            slot = slot_of(grid, cell);
+        }
+        if far > pairs_of.fast {
+            atomicAdd(&status[FAST], 1u);
+        }
+    }
+    bounds[row] = bound;
+    slots[row] = slot;
+    atomicAdd(&counts[slot], 1u);
+}
+// ANCHOR_END: cells

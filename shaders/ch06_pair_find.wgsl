@@ -1,0 +1,189 @@
+// Each body looks for those that it may touch in the step, in the 27 cells about its own and among the
+// large ones, and lists them in the order of their rows. Of two bodies one lists the pair: the one that
+// isn't large, else the one with the smaller row.
+// Needs common/index, rows, common/grid, common/pairing.
+
+@group(0) @binding(0) var<uniform> grid: GridOf;
+@group(0) @binding(1) var<uniform> pairs_of: PairsOf;
+@group(0) @binding(2) var<storage, read> starts: array<u32>;
+@group(0) @binding(3) var<storage, read> sorted: array<Bound>;
+@group(0) @binding(4) var<storage, read> rigids: array<Rigid>;
+@group(0) @binding(5) var<storage, read> ignored: array<u32>;
+@group(0) @binding(6) var<storage, read_write> partners: array<Partner>;
+@group(0) @binding(7) var<storage, read_write> pair_counts: array<u32>;
+@group(0) @binding(8) var<storage, read_write> status: array<atomic<u32>>;
+
+// The plan: whether any bodies pass through each other, and whether any large body moves.
+override IGNORES: bool = true;
+override MOVING_LARGE: bool = true;
+
+// What an invocation knows while it looks.
+struct Search {
+    row: u32,
+    own: Bound,
+    // Where the bodies begin that it passes through, and how many they are.
+    ignored: u32,
+    ignored_count: u32,
+    // How many partners it has by now.
+    count: u32,
+}
+
+fn place_in_list(k: u32, row: u32) -> u32 {
+    return (k + 1u) * grid.capacity + row;
+}
+
+// Whether two bodies may touch in the step, and one of them can move.
+fn may_touch(a: Bound, b: Bound) -> bool {
+    let idle = (a.body & b.body & STATIC) != 0u;
+    return !idle && all(a.low <= b.high) && all(b.low <= a.high);
+}
+
+// Whether b's cell is one of the 27 about a's own: two cells far apart may share a slot.
+fn is_around(a: u32, b: u32) -> bool {
+    let shifts = vec3u(0u, 10u, 20u);
+    let apart = (vec3u(b) >> shifts) - (vec3u(a) >> shifts) + vec3u(1u);
+    return all((apart & vec3u(1023u)) <= vec3u(2u));
+}
+
+fn is_ignored(search: ptr<function, Search>, other: u32) -> bool {
+    for (var k = 0u; k < (*search).ignored_count; k++) {
+        if ignored[(*search).ignored + k] == other {
+            return true;
+        }
+    }
+    return false;
+}
+
+// ANCHOR: add
+// Adds a partner to the list, behind those with smaller rows, if there is room.
+fn add(search: ptr<function, Search>, other: Bound) {
+    let row = other.body & BODY;
+    if IGNORES && is_ignored(search, row) {
+        return;
+    }
+    let own = (*search).own.body;
+    let slot = slot_of_pair(pairs_of, (own >> KIND_SHIFT) & 3u, (other.body >> KIND_SHIFT) & 3u);
+    let own_is_large = (own & OVERSIZED) != 0u;
+    let other_is_large = (other.body & OVERSIZED) != 0u;
+    let lists = select(row > (*search).row, other_is_large, own_is_large != other_is_large);
+    let entry = row | (slot << SLOT_SHIFT) | select(0u, LISTED, lists);
+    var k = (*search).count;
+    (*search).count = k + 1u;
+    if k >= grid.room {
+        return;
+    }
+    while k > 0u {
+        let before = partners[place_in_list(k - 1u, (*search).row)].body;
+        if (before & BODY) < row {
+            break;
+        }
+        partners[place_in_list(k, (*search).row)].body = before;
+        k -= 1u;
+    }
+    partners[place_in_list(k, (*search).row)].body = entry;
+}
+// ANCHOR_END: add
+
+// ANCHOR: look_around
+// Looks through the 27 cells about the body's own, nine lines of three. Three neighbours along x are
+// three slots in a row, unless the line wraps round.
+fn look_around(search: ptr<function, Search>, position: vec3f) {
+    let cell = cell_of(grid, position);
+    for (var line = 0; line < 9; line++) {
+        let middle = cell + vec3i(0, line % 3 - 1, line / 3 - 1);
+        let first = slot_of(grid, middle - vec3i(1, 0, 0));
+        let last = slot_of(grid, middle + vec3i(1, 0, 0));
+        if last == first + 2u {
+            look(search, starts[first], starts[last + 1u]);
+        } else {
+            let own = slot_of(grid, middle);
+            look(search, starts[first], starts[first + 1u]);
+            look(search, starts[own], starts[own + 1u]);
+            look(search, starts[last], starts[last + 1u]);
+        }
+    }
+}
+
+fn look(search: ptr<function, Search>, first: u32, end: u32) {
+    let own = (*search).own;
+    for (var at = first; at < end; at++) {
+        let other = sorted[at];
+        if may_touch(own, other) && is_around(own.cell, other.cell)
+            && (other.body & BODY) != (*search).row {
+            add(search, other);
+        }
+    }
+}
+
+// Large bodies stand behind all slots.
+fn look_at_large(search: ptr<function, Search>) {
+    let own = (*search).own;
+    for (var at = starts[slot_of_lost(grid)]; at < grid.rows; at++) {
+        let other = sorted[at];
+        if (other.body & OVERSIZED) != 0u && may_touch(own, other)
+            && (other.body & BODY) != (*search).row {
+            add(search, other);
+        }
+    }
+}
+// ANCHOR_END: look_around
+
+// ANCHOR: find
+@compute @workgroup_size(WORKGROUP)
+fn pair_find(@builtin(global_invocation_id) id: vec3u) {
+    let at = row_index(id);
+    if at >= grid.rows || atomicLoad(&status[HALTED]) != 0u {
+        return;
+    }
+    var search: Search;
+    search.own = sorted[at];
+    search.row = search.own.body & BODY;
+    if IGNORES {
+        search.ignored = rigids[search.row].ignored;
+        search.ignored_count = rigids[search.row].ignored_count;
+    }
+    // What is neither in the grid nor large touches nothing.
+    let is_lost = at >= starts[slot_of_lost(grid)];
+    if !is_lost || (search.own.body & OVERSIZED) != 0u {
+        look_at_large(&search);
+    }
+    if !is_lost {
+        look_around(&search, rigids[search.row].position);
+    }
+    if search.count > grid.room {
+        atomicMax(&status[NEEDED], search.count);
+    }
+    let count = min(search.count, grid.room);
+    partners[search.row] = Partner(count, 0u);
+    count_kinds(search.row, count);
+}
+// ANCHOR_END: find
+
+// ANCHOR: count_kinds
+// How many pairs of each kind the body lists; and for each large body that moves, whether it has a pair
+// with it.
+fn count_kinds(row: u32, count: u32) {
+    for (var slot = 0u; slot < pairs_of.kinds; slot++) {
+        var listed = 0u;
+        for (var k = 0u; k < count; k++) {
+            let entry = partners[place_in_list(k, row)].body;
+            let is_one = (entry & LISTED) != 0u && ((entry >> SLOT_SHIFT) & 15u) == slot;
+            listed += select(0u, 1u, is_one);
+        }
+        pair_counts[slot * grid.rows + row] = listed;
+    }
+    if !MOVING_LARGE {
+        return;
+    }
+    for (var large = 0u; large < pairs_of.larges; large++) {
+        pair_counts[(pairs_of.kinds + large) * grid.rows + row] = 0u;
+    }
+    let own_is_large = rigids[row].role == LARGE;
+    for (var k = 0u; k < count && !own_is_large; k++) {
+        let large = rigids[partners[place_in_list(k, row)].body & BODY].large;
+        if large != NOBODY {
+            pair_counts[(pairs_of.kinds + large) * grid.rows + row] = 1u;
+        }
+    }
+}
+// ANCHOR_END: count_kinds

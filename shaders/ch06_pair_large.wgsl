@@ -1,0 +1,76 @@
+// What their many pairs did to large bodies that move, a workgroup a body: its lanes share the pairs
+// among themselves and add up what each has, always in the same order. Needs common/index, rows.
+
+@group(0) @binding(0) var<uniform> grid: GridOf;
+@group(0) @binding(1) var<uniform> pairs_of: PairsOf;
+@group(0) @binding(2) var<storage, read> pair_starts: array<u32>;
+@group(0) @binding(3) var<storage, read> large_pairs: array<u32>;
+@group(0) @binding(4) var<storage, read> touches: array<Contact>;
+@group(0) @binding(5) var<storage, read> presses: array<Pressed>;
+@group(0) @binding(6) var<storage, read_write> totals: array<Total>;
+@group(0) @binding(7) var<storage, read> status: array<u32>;
+
+const LANES: u32 = 64u;
+
+var<workgroup> sums: array<Total, LANES>;
+
+fn plus(one: Total, other: Total) -> Total {
+    return Total(
+        one.linear + other.linear,
+        one.counts + other.counts,
+        one.angular + other.angular,
+        one.bounces + other.bounces,
+        one.push + other.push,
+        0.0,
+        one.push_angular + other.push_angular,
+        0.0,
+    );
+}
+
+// What a pair did to its body on this side.
+fn of_pair(pair: u32, side: u32) -> Total {
+    let sign = select(-1.0, 1.0, side == 1u);
+    return Total(
+        sign * presses[pair].linear,
+        presses[pair].counts,
+        presses[pair].turning[2u * side].xyz,
+        presses[pair].bounces,
+        sign * presses[pair].push,
+        0.0,
+        presses[pair].turning[2u * side + 1u].xyz,
+        0.0,
+    );
+}
+
+// ANCHOR: large
+@compute @workgroup_size(LANES)
+fn pair_large(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let large = group_index(group);
+    var sum: Total;
+    if large < pairs_of.larges && status[HALTED] == 0u {
+        let list = (pairs_of.kinds + large) * grid.rows;
+        let before = pair_starts[pairs_of.kinds * grid.rows];
+        let first = pair_starts[list] - before;
+        let end = pair_starts[list + grid.rows] - before;
+        for (var at = first + lane; at < end; at += LANES) {
+            let entry = large_pairs[at];
+            if touches[entry >> 1u].points > 0u {
+                sum = plus(sum, of_pair(entry >> 1u, entry & 1u));
+            }
+        }
+    }
+    sums[lane] = sum;
+    for (var reach = LANES / 2u; reach > 0u; reach /= 2u) {
+        workgroupBarrier();
+        if lane < reach {
+            sums[lane] = plus(sums[lane], sums[lane + reach]);
+        }
+    }
+    if lane == 0u && large < pairs_of.larges {
+        totals[large] = sums[0];
+    }
+}
+// ANCHOR_END: large

@@ -1,0 +1,94 @@
+// A substep of the pairs, an invocation a pair: from what both bodies are now it mends its own impulses.
+// Needs common/index, common/rotation, rows, common/narrow_core, common/narrow_spots, common/side,
+// common/touching, common/contact.
+
+@group(0) @binding(0) var<uniform> step: Step;
+@group(0) @binding(1) var<storage, read> live: array<vec4u>;
+@group(0) @binding(2) var<storage, read> rigids: array<Rigid>;
+@group(0) @binding(3) var<storage, read> touches: array<Contact>;
+@group(0) @binding(4) var<storage, read_write> memories: array<Memory>;
+@group(0) @binding(5) var<storage, read_write> presses: array<Pressed>;
+@group(0) @binding(6) var<storage, read> status: array<u32>;
+
+// The plan: whether any pair bounces, and whether it is the last substep.
+override BOUNCES: bool = true;
+override LAST: bool = false;
+
+// The contact of a pair with so many points.
+fn manifold_of(pair: u32, points: u32) -> Manifold {
+    var m: Manifold;
+    m.normal = touches[pair].normal;
+    m.turns = touches[pair].turns;
+    m.round_a = touches[pair].round_a;
+    m.round_b = touches[pair].round_b;
+    m.points = points;
+    for (var k = 0u; k < POINTS; k++) {
+        if k < points {
+            m.core_a[k] = touches[pair].cores[2u * k];
+            m.core_b[k] = touches[pair].cores[2u * k + 1u];
+        }
+    }
+    return m;
+}
+
+fn material_of(pair: u32) -> Material {
+    return Material(
+        touches[pair].restitution,
+        touches[pair].friction,
+        touches[pair].static_friction,
+        0.0,
+    );
+}
+
+// ANCHOR: solve
+@compute @workgroup_size(WORKGROUP)
+fn pair_solve(@builtin(global_invocation_id) id: vec3u) {
+    let at = row_index(id);
+    if at >= status[LIVE] {
+        return;
+    }
+    let noted = live[at];
+    let pair = noted.x;
+    var m = manifold_of(pair, noted.w);
+    let material = material_of(pair);
+    var impulse = Impulse(memories[pair].normal, memories[pair].friction, memories[pair].twist);
+    var approach = vec4f(0.0);
+    if BOUNCES {
+        approach = memories[pair].approach;
+    }
+    var a = side_of(rigids[noted.y]);
+    var b = side_of(rigids[noted.z]);
+    let pressed = solve_pair(&m, material, &impulse, &approach, &a, &b, step);
+    memories[pair].normal = impulse.normal;
+    memories[pair].friction = impulse.friction;
+    memories[pair].twist = impulse.twist;
+    if BOUNCES {
+        memories[pair].approach = approach;
+    }
+    let hits = BOUNCES && LAST && bounces(approach, material, step);
+    presses[pair] = pressed_of(pressed, select(0.0, 1.0, hits));
+}
+// ANCHOR_END: solve
+
+// ANCHOR: restore
+// Restitution, once at the end of a step: a body's mass is now shared among the pairs that bounce.
+@compute @workgroup_size(WORKGROUP)
+fn pair_restore(@builtin(global_invocation_id) id: vec3u) {
+    let at = row_index(id);
+    if at >= status[LIVE] {
+        return;
+    }
+    let noted = live[at];
+    let pair = noted.x;
+    let material = material_of(pair);
+    let approach = memories[pair].approach;
+    var pressed: Press;
+    if bounces(approach, material, step) {
+        var m = manifold_of(pair, noted.w);
+        var a = side_of(rigids[noted.y]);
+        var b = side_of(rigids[noted.z]);
+        pressed = restore_pair(&m, material, approach, &a, &b, step);
+    }
+    presses[pair] = pressed_of(pressed, 0.0);
+}
+// ANCHOR_END: restore

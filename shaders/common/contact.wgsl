@@ -1,0 +1,325 @@
+// What a pair of bodies does in a substep: the contact of the own-row method. Names as in
+// `ch06_compute::own_row::contact`, where the method is told.
+// Needs common/rotation, rows, common/narrow_core, common/narrow_spots, common/side, common/touching.
+
+// Sweeps over the points and the friction of a pair of more than one point.
+const INNER_SWEEPS: u32 = 2u;
+
+// Sweeps over the points of a pair that bounces.
+const BOUNCE_SWEEPS: u32 = 16u;
+
+// ANCHOR: note_impacts
+// Notes how fast the points come that will touch in this substep; says whether one touches or may touch
+// in the next. The speed is that at the surface: u² = c² + 2 a s.
+fn note_impacts(
+    t: ptr<function, Touching>,
+    points: u32,
+    approach: ptr<function, vec4f>,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    step: Step,
+) -> bool {
+    var soon = false;
+    let closing = closing_pull((*t).normal, a, b, step.gravity);
+    for (var k = 0u; k < POINTS; k++) {
+        if k < points {
+            let speed = parting(t, k, a, b);
+            let distance = (*t).distance[k];
+            if distance + step.h * speed <= 0.0 {
+                let before = max(-speed - closing * step.h, 0.0);
+                let squared = before * before + 2.0 * closing * max(distance, 0.0);
+                (*approach)[k] = min((*approach)[k], -sqrt(max(squared, 0.0)));
+            }
+            soon = soon || distance <= 0.0 || distance + 2.0 * step.h * speed <= 0.0;
+        }
+    }
+    return soon;
+}
+
+// The acceleration with which gravity brings a and b together along the normal, m/s².
+fn closing_pull(normal: vec3f, a: ptr<function, Side>, b: ptr<function, Side>, gravity: vec3f) -> f32 {
+    let along = dot(gravity, normal);
+    return select(0.0, along, (*a).inverse_mass > 0.0) - select(0.0, along, (*b).inverse_mass > 0.0);
+}
+// ANCHOR_END: note_impacts
+
+// Whether a point is active. If none is, the pair presses no more.
+fn activate(
+    t: ptr<function, Touching>,
+    points: u32,
+    impulse: Impulse,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    h: f32,
+) -> bool {
+    var is_active = false;
+    for (var k = 0u; k < POINTS; k++) {
+        if k < points {
+            let comes = (*t).distance[k] + h * parting(t, k, a, b) <= 0.0;
+            is_active = is_active || impulse.normal[k] > 0.0 || (*t).distance[k] <= 0.0 || comes;
+        }
+    }
+    return is_active;
+}
+
+// ANCHOR: replies
+// Dₖ = Σⱼ |Aₖⱼ|, 1/kg, where Aₖⱼ is what a unit impulse at point j makes of the speed at point k.
+fn replies(
+    t: ptr<function, Touching>,
+    points: u32,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+) -> vec4f {
+    var sums = vec4f(0.0);
+    let masses = (*a).shared_mass + (*b).shared_mass;
+    for (var k = 0u; k < POINTS; k++) {
+        if k < points {
+            let turned_a = (*a).shared_inertia * (*t).lever_a[k];
+            let turned_b = (*b).shared_inertia * (*t).lever_b[k];
+            for (var j = 0u; j < POINTS; j++) {
+                if j < points {
+                    let turns = dot((*t).lever_a[j], turned_a) + dot((*t).lever_b[j], turned_b);
+                    sums[k] += abs(masses + turns);
+                }
+            }
+        }
+    }
+    return sums;
+}
+// ANCHOR_END: replies
+
+// ANCHOR: mend_normals
+// Mends the normal impulses of all points at once. A point that is still apart may come as near as it
+// touches; impulses may be taken back but never pull.
+fn mend_normals(
+    t: ptr<function, Touching>,
+    points: u32,
+    impulse: ptr<function, Impulse>,
+    reply: vec4f,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    h: f32,
+) {
+    var linear = 0.0;
+    var turning_a = vec3f(0.0);
+    var turning_b = vec3f(0.0);
+    for (var k = 0u; k < POINTS; k++) {
+        if k < points {
+            let room = max((*t).distance[k], 0.0) / h;
+            let last = (*impulse).normal[k];
+            let wanted = last - (parting(t, k, a, b) + room) / max(reply[k], SMALL);
+            let change = max(wanted, 0.0) - last;
+            (*impulse).normal[k] = last + change;
+            linear += change;
+            turning_a -= change * (*t).lever_a[k];
+            turning_b += change * (*t).lever_b[k];
+        }
+    }
+    take(a, -linear * (*t).normal, turning_a);
+    take(b, linear * (*t).normal, turning_b);
+}
+// ANCHOR_END: mend_normals
+
+// ANCHOR: mend_friction
+// Mends friction at the mean of the points: against sliding, and against turning about the normal. Static
+// friction holds as long as μ_s allows; beyond it the pair slips and kinetic friction is left.
+fn mend_friction(
+    t: ptr<function, Touching>,
+    points: u32,
+    impulse: ptr<function, Impulse>,
+    material: Material,
+    reply: f32,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+) {
+    let pressed = dot((*impulse).normal, vec4f(1.0));
+    let normal = (*t).normal;
+    if points > 1u {
+        mend_twist(t, impulse, material, pressed, a, b);
+    }
+    let sliding = (*b).velocity + cross((*b).angular_velocity, (*t).mean_b)
+        - (*a).velocity - cross((*a).angular_velocity, (*t).mean_a);
+    let last = (*impulse).friction;
+    let held = last - dot(last, normal) * normal - (sliding - dot(sliding, normal) * normal) / reply;
+    (*impulse).friction = coulomb(held, pressed, material);
+    let change = (*impulse).friction - last;
+    take(a, -change, -cross((*t).mean_a, change));
+    take(b, change, cross((*t).mean_b, change));
+}
+
+// What friction gives of what it would take to hold.
+fn coulomb(held: vec3f, pressed: f32, material: Material) -> vec3f {
+    let size = length(held);
+    if size <= material.static_friction * pressed {
+        return held;
+    }
+    return held * (material.friction * pressed / max(size, SMALL));
+}
+
+// Friction against turning about the normal, with the points' spread as its arm.
+fn mend_twist(
+    t: ptr<function, Touching>,
+    impulse: ptr<function, Impulse>,
+    material: Material,
+    pressed: f32,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+) {
+    let normal = (*t).normal;
+    let reply = dot(normal, (*a).shared_inertia * normal + (*b).shared_inertia * normal);
+    let rate = dot(normal, (*b).angular_velocity - (*a).angular_velocity);
+    let most = material.friction * pressed * (*t).spread;
+    let last = (*impulse).twist;
+    (*impulse).twist = clamp(last - rate / max(reply, SMALL), -most, most);
+    let change = ((*impulse).twist - last) * normal;
+    take(a, vec3f(0.0), -change);
+    take(b, vec3f(0.0), change);
+}
+
+// The larger of what a unit impulse makes of the sliding speed in two directions across the normal, 1/kg.
+fn sliding_reply(t: ptr<function, Touching>, a: ptr<function, Side>, b: ptr<function, Side>) -> f32 {
+    let one = across((*t).normal);
+    let two = cross((*t).normal, one);
+    let along = max(sliding_along(t, one, a, b), sliding_along(t, two, a, b));
+    return max((*a).shared_mass + (*b).shared_mass + along, SMALL);
+}
+
+fn sliding_along(
+    t: ptr<function, Touching>,
+    direction: vec3f,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+) -> f32 {
+    let on_a = cross((*t).mean_a, direction);
+    let on_b = cross((*t).mean_b, direction);
+    return dot(on_a, (*a).shared_inertia * on_a) + dot(on_b, (*b).shared_inertia * on_b);
+}
+// ANCHOR_END: mend_friction
+
+// ANCHOR: push_out
+// Pushes bodies that are inside each other apart: a velocity that moves them in this substep and is then
+// forgotten, so that no speed is left of it. `a` and `b` must not move.
+fn push_out(
+    t: ptr<function, Touching>,
+    points: u32,
+    reply: vec4f,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    step: Step,
+    pressed: ptr<function, Press>,
+) {
+    var pushes = vec4f(0.0);
+    let sweeps = select(1u, INNER_SWEEPS, points > 1u);
+    for (var sweep = 0u; sweep < sweeps; sweep++) {
+        var linear = 0.0;
+        var turning_a = vec3f(0.0);
+        var turning_b = vec3f(0.0);
+        for (var k = 0u; k < POINTS; k++) {
+            if k < points {
+                let depth = -(*t).distance[k] - step.slop;
+                let speed = min(step.push_share * depth / step.h, step.fastest_push);
+                let lacks = speed - parting(t, k, a, b);
+                let wanted = select(0.0, pushes[k] + lacks / max(reply[k], SMALL), depth > 0.0);
+                let change = max(wanted, 0.0) - pushes[k];
+                pushes[k] += change;
+                linear += change;
+                turning_a -= change * (*t).lever_a[k];
+                turning_b += change * (*t).lever_b[k];
+            }
+        }
+        take(a, -linear * (*t).normal, turning_a);
+        take(b, linear * (*t).normal, turning_b);
+        (*pressed).push += linear * (*t).normal;
+        (*pressed).push_a += turning_a;
+        (*pressed).push_b += turning_b;
+    }
+}
+// ANCHOR_END: push_out
+
+// ANCHOR: solve_pair
+// A substep of a pair: it mends its impulses so that the bodies, with the share of their masses that it
+// has, no longer approach where they touch, and don't slide where friction holds them.
+fn solve_pair(
+    m: ptr<function, Manifold>,
+    material: Material,
+    impulse: ptr<function, Impulse>,
+    approach: ptr<function, vec4f>,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    step: Step,
+) -> Press {
+    let points = (*m).points;
+    var t = touching(m, a, b);
+    let soon = note_impacts(&t, points, approach, a, b, step);
+    var pressed: Press;
+    if activate(&t, points, *impulse, a, b, step.h) {
+        let reply = replies(&t, points, a, b);
+        let sliding = sliding_reply(&t, a, b);
+        let sweeps = select(1u, INNER_SWEEPS, points > 1u);
+        for (var sweep = 0u; sweep < sweeps; sweep++) {
+            mend_normals(&t, points, impulse, reply, a, b, step.h);
+            mend_friction(&t, points, impulse, material, sliding, a, b);
+        }
+        pressed = press(&t, points, *impulse);
+        stop(a);
+        stop(b);
+        push_out(&t, points, reply, a, b, step, &pressed);
+    } else {
+        *impulse = Impulse();
+    }
+    let presses = max(max((*impulse).normal.x, (*impulse).normal.y),
+        max((*impulse).normal.z, (*impulse).normal.w)) > 0.0;
+    pressed.counts = select(0.0, 1.0, soon || presses);
+    return pressed;
+}
+// ANCHOR_END: solve_pair
+
+// The body without its velocities.
+fn stop(side: ptr<function, Side>) {
+    (*side).velocity = vec3f(0.0);
+    (*side).angular_velocity = vec3f(0.0);
+}
+
+// Whether a pair bounces at the end of the step: it had an impact faster than the threshold.
+fn bounces(approach: vec4f, material: Material, step: Step) -> bool {
+    let fastest = min(min(approach.x, approach.y), min(approach.z, approach.w));
+    return material.restitution > 0.0 && fastest < -step.restitution_threshold;
+}
+
+// ANCHOR: restore_pair
+// What restitution adds at the end of a step: where an impact came with speed u, the bodies shall part
+// with e u. Shares are those among the pairs that bounce.
+fn restore_pair(
+    m: ptr<function, Manifold>,
+    material: Material,
+    approach: vec4f,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    step: Step,
+) -> Press {
+    let points = (*m).points;
+    var t = touching(m, a, b);
+    let reply = replies(&t, points, a, b);
+    var added: Impulse;
+    for (var sweep = 0u; sweep < BOUNCE_SWEEPS; sweep++) {
+        var linear = 0.0;
+        var turning_a = vec3f(0.0);
+        var turning_b = vec3f(0.0);
+        for (var k = 0u; k < POINTS; k++) {
+            if k < points {
+                let lacks = -material.restitution * approach[k] - parting(&t, k, a, b);
+                let hits = approach[k] < -step.restitution_threshold;
+                let wanted = select(0.0, added.normal[k] + lacks / max(reply[k], SMALL), hits);
+                let change = max(wanted, 0.0) - added.normal[k];
+                added.normal[k] += change;
+                linear += change;
+                turning_a -= change * t.lever_a[k];
+                turning_b += change * t.lever_b[k];
+            }
+        }
+        take(a, -linear * t.normal, turning_a);
+        take(b, linear * t.normal, turning_b);
+    }
+    return press(&t, points, added);
+}
+// ANCHOR_END: restore_pair

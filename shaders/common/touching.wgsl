@@ -1,0 +1,151 @@
+// Where the points of a pair are now, and what the pair presses there. Names as in
+// `ch06_compute::own_row::contact`.
+// Needs common/rotation, rows, common/narrow_core, common/narrow_spots, common/side.
+
+// The plan: the most points that a pair of the scene's kinds can have.
+override POINTS: u32 = 4u;
+
+// ANCHOR: touching
+struct Touching {
+    // From a to b.
+    normal: vec3f,
+    // Mean distance of the points from their mean, m.
+    spread: f32,
+    // s: how far apart the surfaces are at each point, m; negative inside.
+    distance: vec4f,
+    // r × n of each point, r from a's centre, m. An impulse λ n there turns a by −λ r × n.
+    lever_a: array<vec3f, 4>,
+    // The same, from b's centre.
+    lever_b: array<vec3f, 4>,
+    // From a's centre to the mean of the points, m.
+    mean_a: vec3f,
+    // From b's centre, m.
+    mean_b: vec3f,
+}
+
+// Where the points are for bodies where they are now: both arms of a point end at the same place, so
+// that what one body gains in angular momentum the other loses.
+fn touching(m: ptr<function, Manifold>, a: ptr<function, Side>, b: ptr<function, Side>) -> Touching {
+    let apart = (*b).position - (*a).position;
+    let turn_a = quat_matrix((*a).attitude);
+    let turn_b = quat_matrix((*b).attitude);
+    let points = (*m).points;
+    var core_a: array<vec3f, 4>;
+    var core_b: array<vec3f, 4>;
+    var line = vec3f(0.0);
+    for (var k = 0u; k < POINTS; k++) {
+        if k < points {
+            core_a[k] = turn_a * (*m).core_a[k].xyz;
+            core_b[k] = apart + turn_b * (*m).core_b[k].xyz;
+            line += core_b[k] - core_a[k];
+        }
+    }
+    var t: Touching;
+    t.normal = normal_now((*m).normal, (*m).turns, turn_a, turn_b, line);
+    let share = 1.0 / f32(max(points, 1u));
+    for (var k = 0u; k < POINTS; k++) {
+        if k < points {
+            let gap = core_b[k] - core_a[k];
+            t.distance[k] = dot(gap, t.normal) - (*m).round_a - (*m).round_b;
+            let apart_less = ((*m).round_a - (*m).round_b) * t.normal;
+            let middle = 0.5 * (core_a[k] + core_b[k] + apart_less);
+            t.lever_a[k] = cross(middle, t.normal);
+            t.lever_b[k] = cross(middle - apart, t.normal);
+            t.mean_a += middle * share;
+            core_a[k] = middle;
+        }
+    }
+    t.mean_b = t.mean_a - apart;
+    for (var k = 0u; k < POINTS; k++) {
+        if k < points && points > 1u {
+            t.spread += length(core_a[k] - t.mean_a) * share;
+        }
+    }
+    return t;
+}
+
+// The normal for bodies where they are now.
+fn normal_now(normal: vec3f, turns: u32, turn_a: mat3x3f, turn_b: mat3x3f, line: vec3f) -> vec3f {
+    switch turns {
+        case WITH_A: {
+            return turn_a * normal;
+        }
+        case WITH_B: {
+            return turn_b * normal;
+        }
+        case FIXED: {
+            return normal;
+        }
+        default: {
+            let size = length(line);
+            return select(normal, line / max(size, SMALL), size > SMALL);
+        }
+    }
+}
+// ANCHOR_END: touching
+
+// Speed of b away from a along the normal at point k, m/s.
+fn parting(t: ptr<function, Touching>, k: u32, a: ptr<function, Side>, b: ptr<function, Side>) -> f32 {
+    return dot((*t).normal, (*b).velocity - (*a).velocity)
+        + dot((*t).lever_b[k], (*b).angular_velocity)
+        - dot((*t).lever_a[k], (*a).angular_velocity);
+}
+
+// ANCHOR: press
+// The impulses of a pair as its bodies receive them.
+fn press(t: ptr<function, Touching>, points: u32, impulse: Impulse) -> Press {
+    var pressed: Press;
+    for (var k = 0u; k < POINTS; k++) {
+        if k < points {
+            pressed.linear += impulse.normal[k] * (*t).normal;
+            pressed.angular_a -= impulse.normal[k] * (*t).lever_a[k];
+            pressed.angular_b += impulse.normal[k] * (*t).lever_b[k];
+        }
+    }
+    let twist = impulse.twist * (*t).normal;
+    pressed.linear += impulse.friction;
+    pressed.angular_a -= cross((*t).mean_a, impulse.friction) + twist;
+    pressed.angular_b += cross((*t).mean_b, impulse.friction) + twist;
+    return pressed;
+}
+// ANCHOR_END: press
+
+// A `Press` as bodies gather it.
+fn pressed_of(pressed: Press, bounces: f32) -> Pressed {
+    return Pressed(
+        pressed.linear,
+        pressed.counts,
+        pressed.push,
+        bounces,
+        array<vec4f, 4>(
+            vec4f(pressed.angular_a, 0.0),
+            vec4f(pressed.push_a, 0.0),
+            vec4f(pressed.angular_b, 0.0),
+            vec4f(pressed.push_b, 0.0),
+        ),
+    );
+}
+
+// ANCHOR: press_again
+// What a pair starts a step with: the impulses that it ended the last one with, where its points are
+// now; and whether it counts.
+fn press_again(
+    m: ptr<function, Manifold>,
+    impulse: Impulse,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    h: f32,
+) -> Press {
+    var t = touching(m, a, b);
+    var pressed = press(&t, (*m).points, impulse);
+    for (var k = 0u; k < POINTS; k++) {
+        if k < (*m).points {
+            let comes = t.distance[k] + h * parting(&t, k, a, b) <= 0.0;
+            if impulse.normal[k] > 0.0 || t.distance[k] <= 0.0 || comes {
+                pressed.counts = 1.0;
+            }
+        }
+    }
+    return pressed;
+}
+// ANCHOR_END: press_again
