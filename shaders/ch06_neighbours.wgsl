@@ -28,8 +28,9 @@ const GROUP: u32 = 64u;
 override TEAM: u32 = 1u;
 override SUMS: u32 = 1u;
 
-// Most neighbours that an invocation can note.
-const MOST_FOUND: u32 = 64u;
+// Most neighbours that a member of a team can note: it keeps them to itself until all have found theirs.
+// One alone notes them where they will be listed.
+const MOST_FOUND: u32 = 32u;
 
 // What an invocation knows while it looks.
 struct Finding {
@@ -87,10 +88,29 @@ fn consider(finding: ptr<function, Finding>, row: u32, place: Place, end: u32) {
 
 // Notes a neighbour; those beyond the room are only counted.
 fn note(finding: ptr<function, Finding>, neighbour: u32) {
-    if (*finding).count < MOST_FOUND {
-        (*finding).found[(*finding).count] = neighbour;
+    if (*finding).count < room_to_note() {
+        set_noted(finding, (*finding).count, neighbour);
     }
     (*finding).count += 1u;
+}
+
+fn room_to_note() -> u32 {
+    return select(MOST_FOUND, grid.room, TEAM == 1u);
+}
+
+fn noted(finding: ptr<function, Finding>, k: u32) -> u32 {
+    if TEAM == 1u {
+        return neighbours[k * grid.capacity + (*finding).row];
+    }
+    return (*finding).found[k];
+}
+
+fn set_noted(finding: ptr<function, Finding>, k: u32, neighbour: u32) {
+    if TEAM == 1u {
+        neighbours[k * grid.capacity + (*finding).row] = neighbour;
+    } else {
+        (*finding).found[k] = neighbour;
+    }
 }
 // ANCHOR_END: look
 
@@ -138,15 +158,17 @@ fn other_of(finding: ptr<function, Finding>, neighbour: u32) -> Other {
 // ANCHOR: keep
 // Keeps those that may touch in the step: both balls of a pair must find the same.
 fn keep(finding: ptr<function, Finding>) {
-    let count = min((*finding).count, MOST_FOUND);
-    var kept = (*finding).count - count;
-    for (var k = 0u; k < count; k++) {
-        let neighbour = (*finding).found[k];
+    if (*finding).count > room_to_note() {
+        return;
+    }
+    var kept = 0u;
+    for (var k = 0u; k < (*finding).count; k++) {
+        let neighbour = noted(finding, k);
         let other = other_of(finding, neighbour);
         let speed = length(other.velocity - (*finding).mover.velocity);
         let margin = grid.margin + min(speed * grid.dt, grid.most_margin);
         if (neighbour & WALL) != 0u || other.distance <= margin {
-            (*finding).found[kept] = neighbour;
+            set_noted(finding, kept, neighbour);
             kept += 1u;
         }
     }
@@ -234,15 +256,15 @@ fn list(finding: ptr<function, Finding>, own: u32, member: u32, goes: bool) {
     for (var other = 1u; other <= member; other++) {
         before += counts[own - other];
     }
-    let fits = goes && count <= MOST_FOUND && before + count <= grid.room;
-    for (var k = 0u; fits && k < count; k++) {
-        take_over(finding, (*finding).found[k], before + k);
+    let fits = count <= room_to_note() && before + count <= grid.room;
+    for (var k = 0u; goes && fits && k < count; k++) {
+        take_over(finding, noted(finding, k), before + k);
     }
     if goes && member == TEAM - 1u {
         neighbour_counts[(*finding).row] = min(before + count, grid.room);
     }
     if goes && !fits {
-        atomicMax(&status[NEEDED], before + count);
+        atomicMax(&status[NEEDED], max(before + count, grid.room + 1u));
     }
     if TEAM > 1u {
         sums[own] = Sum((*finding).held, (*finding).counting);

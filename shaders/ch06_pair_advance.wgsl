@@ -7,12 +7,13 @@
 @group(0) @binding(1) var<uniform> step: Step;
 @group(0) @binding(2) var<uniform> mouse: Mouse;
 @group(0) @binding(3) var<storage, read_write> rigids: array<Rigid>;
-@group(0) @binding(4) var<storage, read_write> helds: array<Held>;
+@group(0) @binding(4) var<storage, read_write> holdings: array<Holding>;
 @group(0) @binding(5) var<storage, read> incidents: array<u32>;
 @group(0) @binding(6) var<storage, read> presses: array<Pressed>;
 @group(0) @binding(7) var<storage, read_write> status: array<u32>;
 @group(0) @binding(8) var<storage, read> totals: array<Total>;
 @group(0) @binding(9) var<storage, read> pivots: array<Pivot>;
+@group(0) @binding(10) var<storage, read_write> befores: array<Before>;
 
 // The plan: whether any pair bounces, any large body moves, any body hangs on a fixed point, whether
 // what pulls is summed in a pass of its own, and whether it is the last substep.
@@ -35,11 +36,13 @@ fn gather(row: u32, large: u32) -> Total {
         let pair = next >> 1u;
         let side = next & 1u;
         next = incidents[min(k + 1u, grid.room) * grid.capacity + row];
-        let linear = vec4f(presses[pair].linear, presses[pair].counts);
-        let push = vec4f(presses[pair].push, presses[pair].bounces);
-        let angular = presses[pair].turning[2u * side].xyz;
-        let push_angular = presses[pair].turning[2u * side + 1u].xyz;
-        add(&sum, linear, push, angular, push_angular, side);
+        var given: Given;
+        given.linear = vec4f(presses[pair].linear, presses[pair].counts);
+        given.push = vec4f(presses[pair].push, presses[pair].bounces);
+        given.angular = presses[pair].turning[2u * side];
+        given.push_angular = presses[pair].turning[2u * side + 1u].xyz;
+        given.sign = select(-1.0, 1.0, side == 1u);
+        add(&sum, given);
     }
     return sum;
 }
@@ -54,7 +57,7 @@ fn pair_advance(@builtin(global_invocation_id) id: vec3u) {
     }
     let halted = status[HALTED];
     var rigid = rigids[row];
-    let old = helds[row];
+    var holding = holdings[row];
     if halted != 0u {
         return;
     }
@@ -65,23 +68,25 @@ fn pair_advance(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let sum = gather(row, rigid.large);
-    exchange(&rigid, old, sum.linear, sum.angular);
+    exchange(&rigid, &holding, sum);
     if PIVOTS && rigid.pivot != NOBODY {
         let push = moved_by(rigid, sum.push_angular);
-        turn_about(&rigid, pivots[rigid.pivot], push, step);
+        turn_about(&rigid, &holding, pivots[rigid.pivot], push, step);
     } else {
-        advance(&rigid, sum, step);
+        advance(&rigid, holding.momentum, sum, step);
     }
-    let held = Held(sum.linear, 0.0, sum.angular, 0.0);
-    helds[row] = held;
     rigid.shares = max(select(sum.counts, sum.bounces, LAST && BOUNCES), 1.0);
     if !LAST && !PULLS {
+        if BOUNCES {
+            befores[row] = Before(rigid.velocity, 0.0, rigid.angular_velocity, 0.0);
+        }
         var pull: Pull;
         if mouse.body == row {
             pull = drag(rigid, mouse);
         }
-        kick(&rigid, held, pull, step);
+        kick(&rigid, &holding, pull, step);
     }
+    holdings[row] = holding;
     rigids[row].position = rigid.position;
     rigids[row].attitude = rigid.attitude;
     rigids[row].velocity = rigid.velocity;
@@ -102,9 +107,12 @@ fn pair_rebound(@builtin(global_invocation_id) id: vec3u) {
     if is_static(rigid) {
         return;
     }
-    let sum = gather(row, rigid.large);
-    exchange(&rigid, Held(), sum.linear, sum.angular);
+    var holding = holdings[row];
+    holding.linear = vec3f(0.0);
+    holding.angular = vec3f(0.0);
+    exchange(&rigid, &holding, gather(row, rigid.large));
     rigids[row].velocity = rigid.velocity;
     rigids[row].angular_velocity = rigid.angular_velocity;
+    holdings[row].momentum = holding.momentum;
 }
 // ANCHOR_END: rebound

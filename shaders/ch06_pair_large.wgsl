@@ -15,31 +15,32 @@ const LANES: u32 = 64u;
 var<workgroup> sums: array<Total, LANES>;
 
 fn plus(one: Total, other: Total) -> Total {
-    return Total(
-        one.linear + other.linear,
-        one.counts + other.counts,
-        one.angular + other.angular,
-        one.bounces + other.bounces,
-        one.push + other.push,
-        0.0,
-        one.push_angular + other.push_angular,
-        0.0,
-    );
+    var sum = one;
+    sum.linear += other.linear;
+    sum.counts += other.counts;
+    sum.angular += other.angular;
+    sum.bounces += other.bounces;
+    sum.stays_linear += other.stays_linear;
+    sum.stays_angular += other.stays_angular;
+    sum.push += other.push;
+    sum.push_angular += other.push_angular;
+    return sum;
 }
 
 // What a pair did to its body on this side.
 fn of_pair(pair: u32, side: u32) -> Total {
     let sign = select(-1.0, 1.0, side == 1u);
-    return Total(
-        sign * presses[pair].linear,
-        presses[pair].counts,
-        presses[pair].turning[2u * side].xyz,
-        presses[pair].bounces,
-        sign * presses[pair].push,
-        0.0,
-        presses[pair].turning[2u * side + 1u].xyz,
-        0.0,
-    );
+    let angular = presses[pair].turning[2u * side];
+    var total: Total;
+    total.linear = sign * presses[pair].linear;
+    total.counts = presses[pair].counts;
+    total.angular = angular.xyz;
+    total.bounces = presses[pair].bounces;
+    total.stays_linear = angular.w * total.linear;
+    total.stays_angular = angular.w * angular.xyz;
+    total.push = sign * presses[pair].push;
+    total.push_angular = presses[pair].turning[2u * side + 1u].xyz;
+    return total;
 }
 
 // ANCHOR: large

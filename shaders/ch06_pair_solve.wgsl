@@ -9,6 +9,7 @@
 @group(0) @binding(4) var<storage, read_write> memories: array<Memory>;
 @group(0) @binding(5) var<storage, read_write> presses: array<Pressed>;
 @group(0) @binding(6) var<storage, read> status: array<u32>;
+@group(0) @binding(7) var<storage, read> befores: array<Before>;
 
 // The plan: whether any pair bounces, and whether it is the last substep.
 override BOUNCES: bool = true;
@@ -58,6 +59,10 @@ fn pair_solve(@builtin(global_invocation_id) id: vec3u) {
     }
     var a = side_of(rigids[noted.y]);
     var b = side_of(rigids[noted.z]);
+    if BOUNCES {
+        a.before = befores[noted.y];
+        b.before = befores[noted.z];
+    }
     let pressed = solve_pair(&m, material, &impulse, &approach, &a, &b, step);
     memories[pair].normal = impulse.normal;
     memories[pair].friction = impulse.friction;

@@ -7,7 +7,7 @@
 @group(0) @binding(1) var<uniform> step: Step;
 @group(0) @binding(2) var<uniform> mouse: Mouse;
 @group(0) @binding(3) var<storage, read_write> rigids: array<Rigid>;
-@group(0) @binding(4) var<storage, read_write> helds: array<Held>;
+@group(0) @binding(4) var<storage, read_write> holdings: array<Holding>;
 @group(0) @binding(5) var<storage, read> partners: array<Partner>;
 @group(0) @binding(6) var<storage, read> touches: array<Contact>;
 @group(0) @binding(7) var<storage, read> presses: array<Pressed>;
@@ -15,8 +15,11 @@
 @group(0) @binding(9) var<storage, read_write> groups: array<u32>;
 @group(0) @binding(10) var<storage, read> status: array<u32>;
 @group(0) @binding(11) var<storage, read> totals: array<Total>;
+@group(0) @binding(12) var<storage, read_write> befores: array<Before>;
 
-// The plan: whether any large body moves, and whether what pulls is summed in a pass of its own.
+// The plan: whether any pair bounces, whether any large body moves, and whether what pulls is summed in a
+// pass of its own.
+override BOUNCES: bool = true;
 override MOVING_LARGE: bool = true;
 override PULLS: bool = false;
 
@@ -72,16 +75,19 @@ fn pair_start(@builtin(global_invocation_id) id: vec3u) {
         }
     }
     incidents[row] = live;
-    let held = Held(sum.linear, 0.0, sum.angular, 0.0);
-    helds[row] = held;
+    var holding = Holding(sum.linear, 0.0, sum.angular, 0.0, holdings[row].momentum, 0.0);
     rigid.shares = max(sum.counts, 1.0);
+    if BOUNCES {
+        befores[row] = Before(rigid.velocity, 0.0, rigid.angular_velocity, 0.0);
+    }
     if !PULLS {
         var pull: Pull;
         if mouse.body == row {
             pull = drag(rigid, mouse);
         }
-        kick(&rigid, held, pull, step);
+        kick(&rigid, &holding, pull, step);
     }
+    holdings[row] = holding;
     rigids[row].velocity = rigid.velocity;
     rigids[row].shares = rigid.shares;
     rigids[row].angular_velocity = rigid.angular_velocity;
@@ -89,7 +95,9 @@ fn pair_start(@builtin(global_invocation_id) id: vec3u) {
 // ANCHOR_END: start
 
 fn add_pair(sum: ptr<function, Total>, pair: u32, side: u32) {
-    let linear = vec4f(presses[pair].linear, presses[pair].counts);
-    let angular = presses[pair].turning[2u * side].xyz;
-    add(sum, linear, vec4f(0.0), angular, vec3f(0.0), side);
+    var given: Given;
+    given.linear = vec4f(presses[pair].linear, presses[pair].counts);
+    given.angular = presses[pair].turning[2u * side];
+    given.sign = select(-1.0, 1.0, side == 1u);
+    add(sum, given);
 }

@@ -20,6 +20,8 @@ struct Other {
     // n R²/I of the other.
     turning: f32,
     inverse_mass: f32,
+    // 0 for a box.
+    radius: f32,
     restitution: f32,
     friction: f32,
     static_friction: f32,
@@ -40,6 +42,7 @@ fn other_ball(own: Place, place: Place, mover: Mover, surface: Ball) -> Other {
     var other: Other;
     other.normal = select(vec3f(0.0, 1.0, 0.0), apart / max(span, SMALL), span > SMALL);
     other.distance = distance;
+    other.radius = place.reach;
     other.velocity = mover.velocity;
     other.inverse_mass = mover.inverse_mass;
     other.shared_mass = mover.shares * mover.inverse_mass;
@@ -64,6 +67,7 @@ fn other_wall(own: Place, wall: Wall) -> Other {
         let span = length(away);
         other.normal = select(vec3f(0.0, -1.0, 0.0), -away / max(span, SMALL), span > SMALL);
         other.distance = span - (own.reach + wall.size.x);
+        other.radius = wall.size.x;
         return other;
     }
     let local = quat_rotate(wall.attitude * vec4f(-1.0, -1.0, -1.0, 1.0), away);

@@ -20,14 +20,15 @@ fn is_static(rigid: Rigid) -> bool {
 
 // ANCHOR: kick
 // Starts a substep: gravity, drag, other pulls, and what held the body in the last substep.
-fn kick(rigid: ptr<function, Rigid>, held: Held, pull: Pull, step: Step) {
+fn kick(rigid: ptr<function, Rigid>, holding: ptr<function, Holding>, pull: Pull, step: Step) {
     let inverse_mass = (*rigid).inverse_mass;
     let pulled = select(vec3f(0.0), step.gravity, inverse_mass > 0.0) + pull.acceleration;
-    (*rigid).velocity += step.h * pulled + held.linear * inverse_mass;
+    (*rigid).velocity += step.h * pulled + (*holding).linear * inverse_mass;
     (*rigid).velocity *= step.drag;
-    let turning = held.angular + step.h * pull.torque;
+    let turning = (*holding).angular + step.h * pull.torque;
     (*rigid).angular_velocity += moved_by(*rigid, turning);
     (*rigid).angular_velocity *= step.drag;
+    (*holding).momentum = ((*holding).momentum + turning) * step.drag;
 }
 // ANCHOR_END: kick
 
@@ -48,41 +49,63 @@ fn drag(rigid: Rigid, mouse: Mouse) -> Pull {
 // ANCHOR_END: drag
 
 // ANCHOR: gather
-// Adds what a pair did to the body: the body is its b if `side` is 1, else its a.
-fn add(sum: ptr<function, Total>, linear: vec4f, push: vec4f, angular: vec3f, push_angular: vec3f, side: u32) {
-    let sign = select(-1.0, 1.0, side == 1u);
-    (*sum).linear += sign * linear.xyz;
-    (*sum).angular += angular;
-    (*sum).push += sign * push.xyz;
-    (*sum).push_angular += push_angular;
-    (*sum).counts += linear.w;
-    (*sum).bounces += push.w;
+// What a pair did to one of its bodies.
+struct Given {
+    // Impulse that b receives, and whether the pair counts.
+    linear: vec4f,
+    // Push that b receives, and whether the pair bounces.
+    push: vec4f,
+    // Turning impulse that the body receives, and whether the next substep begins with it.
+    angular: vec4f,
+    // Turning push that the body receives.
+    push_angular: vec3f,
+    // 1 for b, −1 for a.
+    sign: f32,
+}
+
+// Adds it to the sum.
+fn add(sum: ptr<function, Total>, given: Given) {
+    let linear = given.sign * given.linear.xyz;
+    (*sum).linear += linear;
+    (*sum).angular += given.angular.xyz;
+    (*sum).stays_linear += given.angular.w * linear;
+    (*sum).stays_angular += given.angular.w * given.angular.xyz;
+    (*sum).push += given.sign * given.push.xyz;
+    (*sum).push_angular += given.push_angular;
+    (*sum).counts += given.linear.w;
+    (*sum).bounces += given.push.w;
 }
 // ANCHOR_END: gather
 
 // ANCHOR: exchange
 // Puts what holds the body now in the place of what it started the substep with.
-fn exchange(rigid: ptr<function, Rigid>, old: Held, linear: vec3f, angular: vec3f) {
-    (*rigid).velocity += (linear - old.linear) * (*rigid).inverse_mass;
-    (*rigid).angular_velocity += moved_by(*rigid, angular - old.angular);
+fn exchange(rigid: ptr<function, Rigid>, holding: ptr<function, Holding>, sum: Total) {
+    let turning = sum.angular - (*holding).angular;
+    (*rigid).velocity += (sum.linear - (*holding).linear) * (*rigid).inverse_mass;
+    (*rigid).angular_velocity += moved_by(*rigid, turning);
+    (*holding).momentum += turning;
+    (*holding).linear = sum.stays_linear;
+    (*holding).angular = sum.stays_angular;
 }
 // ANCHOR_END: exchange
+
+// Whether the three moments are equal, as a ball's are.
+fn is_round(inertia: vec3f) -> bool {
+    return inertia.x == inertia.y && inertia.y == inertia.z;
+}
 
 // ANCHOR: turned
 // The attitude and the angular velocity after a substep: the push turns it, and then it turns freely with
 // its angular momentum.
-fn turn(rigid: ptr<function, Rigid>, push: vec3f, h: f32) {
+fn turn(rigid: ptr<function, Rigid>, momentum: vec3f, push: vec3f, h: f32) {
     let inverse_inertia = (*rigid).inverse_inertia;
     let q = (*rigid).attitude;
-    let spin = (*rigid).angular_velocity;
-    if inverse_inertia.x == inverse_inertia.y && inverse_inertia.y == inverse_inertia.z {
-        (*rigid).attitude = rotation_turned(q, h * (spin + push));
+    if is_round(inverse_inertia) {
+        (*rigid).attitude = rotation_turned(q, h * ((*rigid).angular_velocity + push));
         return;
     }
-    let inertia = 1.0 / inverse_inertia;
     let pushed = rotation_turned(q, h * push);
-    let momentum = rotation_moment(pushed, inertia, spin);
-    let after = free_rotation_attitude_after(pushed, inertia, momentum, h);
+    let after = free_rotation_attitude_after(pushed, 1.0 / inverse_inertia, momentum, h);
     (*rigid).attitude = after;
     (*rigid).angular_velocity = rotation_moment(after, inverse_inertia, momentum);
 }
@@ -91,27 +114,35 @@ fn turn(rigid: ptr<function, Rigid>, push: vec3f, h: f32) {
 // ANCHOR: advance
 // A body moves. One that nothing touches falls as it should: by the mean of its speeds before and after
 // gravity's kick.
-fn advance(rigid: ptr<function, Rigid>, sum: Total, step: Step) {
+fn advance(rigid: ptr<function, Rigid>, momentum: vec3f, sum: Total, step: Step) {
     let alone = sum.counts == 0.0;
     let early = select(vec3f(0.0), 0.5 * step.h * step.gravity, alone);
     let push = sum.push * (*rigid).inverse_mass;
     let push_spin = moved_by(*rigid, sum.push_angular);
     (*rigid).position += step.h * ((*rigid).velocity + push - early);
-    turn(rigid, push_spin, step.h);
+    turn(rigid, momentum, push_spin, step.h);
 }
 // ANCHOR_END: advance
 
 // ANCHOR: turn_about
 // A body on a fixed point: half of gravity's torque, a free turn, the other half.
-fn turn_about(rigid: ptr<function, Rigid>, pivot: Pivot, push: vec3f, step: Step) {
+fn turn_about(
+    rigid: ptr<function, Rigid>,
+    holding: ptr<function, Holding>,
+    pivot: Pivot,
+    push: vec3f,
+    step: Step,
+) {
     let weight = pivot.mass * step.gravity;
     let half = 0.5 * step.h;
     let arm = quat_rotate((*rigid).attitude, pivot.arm);
-    (*rigid).angular_velocity += moved_by(*rigid, half * cross(arm, weight));
-    turn(rigid, push, step.h);
+    (*holding).momentum += half * cross(arm, weight);
+    turn(rigid, (*holding).momentum, push, step.h);
     let arm_after = quat_rotate((*rigid).attitude, pivot.arm);
-    (*rigid).angular_velocity += moved_by(*rigid, half * cross(arm_after, weight));
+    (*holding).momentum += half * cross(arm_after, weight);
+    let omega = moved_by(*rigid, (*holding).momentum);
+    (*rigid).angular_velocity = omega;
     (*rigid).position = pivot.point + arm_after;
-    (*rigid).velocity = cross((*rigid).angular_velocity, arm_after);
+    (*rigid).velocity = cross(omega, arm_after);
 }
 // ANCHOR_END: turn_about

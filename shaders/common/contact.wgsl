@@ -6,11 +6,12 @@
 const INNER_SWEEPS: u32 = 2u;
 
 // Sweeps over the points of a pair that bounces.
-const BOUNCE_SWEEPS: u32 = 16u;
+const BOUNCE_SWEEPS: u32 = 4u;
 
 // ANCHOR: note_impacts
 // Notes how fast the points come that will touch in this substep; says whether one touches or may touch
-// in the next. The speed is that at the surface: u² = c² + 2 a s.
+// in the next. The speed is that at the surface: u² = c² + 2 a s, with c the speed of approach before the
+// substep's kick.
 fn note_impacts(
     t: ptr<function, Touching>,
     points: u32,
@@ -26,7 +27,7 @@ fn note_impacts(
             let speed = parting(t, k, a, b);
             let distance = (*t).distance[k];
             if distance + step.h * speed <= 0.0 {
-                let before = max(-speed - closing * step.h, 0.0);
+                let before = max(-parting_before(t, k, a, b), 0.0);
                 let squared = before * before + 2.0 * closing * max(distance, 0.0);
                 (*approach)[k] = min((*approach)[k], -sqrt(max(squared, 0.0)));
             }
@@ -209,6 +210,7 @@ fn push_out(
     pressed: ptr<function, Press>,
 ) {
     var pushes = vec4f(0.0);
+    let share = select(step.push_share, step.push_share_of_many, points > 1u);
     let sweeps = select(1u, INNER_SWEEPS, points > 1u);
     for (var sweep = 0u; sweep < sweeps; sweep++) {
         var linear = 0.0;
@@ -217,7 +219,7 @@ fn push_out(
         for (var k = 0u; k < POINTS; k++) {
             if k < points {
                 let depth = -(*t).distance[k] - step.slop;
-                let speed = min(step.push_share * depth / step.h, step.fastest_push);
+                let speed = min(share * depth / step.h, step.fastest_push);
                 let lacks = speed - parting(t, k, a, b);
                 let wanted = select(0.0, pushes[k] + lacks / max(reply[k], SMALL), depth > 0.0);
                 let change = max(wanted, 0.0) - pushes[k];
@@ -251,6 +253,7 @@ fn solve_pair(
     let points = (*m).points;
     var t = touching(m, a, b);
     let soon = note_impacts(&t, points, approach, a, b, step);
+    let pressed_before = any((*impulse).normal > vec4f(0.0));
     var pressed: Press;
     if activate(&t, points, *impulse, a, b, step.h) {
         let reply = replies(&t, points, a, b);
@@ -267,12 +270,20 @@ fn solve_pair(
     } else {
         *impulse = Impulse();
     }
-    let presses = max(max((*impulse).normal.x, (*impulse).normal.y),
-        max((*impulse).normal.z, (*impulse).normal.w)) > 0.0;
+    let presses = any((*impulse).normal > vec4f(0.0));
     pressed.counts = select(0.0, 1.0, soon || presses);
+    if !pressed_before && is_impact(pressed, (*a).inverse_mass + (*b).inverse_mass, step) {
+        pressed.stays = 0.0;
+        *impulse = Impulse();
+    }
     return pressed;
 }
 // ANCHOR_END: solve_pair
+
+// Whether what a pair newly pressed is an impact rather than the beginning of rest.
+fn is_impact(pressed: Press, inverse_masses: f32, step: Step) -> bool {
+    return length(pressed.linear) * inverse_masses > step.impact_speed;
+}
 
 // The body without its velocities.
 fn stop(side: ptr<function, Side>) {
@@ -288,7 +299,7 @@ fn bounces(approach: vec4f, material: Material, step: Step) -> bool {
 
 // ANCHOR: restore_pair
 // What restitution adds at the end of a step: where an impact came with speed u, the bodies shall part
-// with e u. Shares are those among the pairs that bounce.
+// with e u; and the friction that goes with it. Shares are those among the pairs that bounce.
 fn restore_pair(
     m: ptr<function, Manifold>,
     material: Material,
@@ -300,6 +311,7 @@ fn restore_pair(
     let points = (*m).points;
     var t = touching(m, a, b);
     let reply = replies(&t, points, a, b);
+    let sliding = sliding_reply(&t, a, b);
     var added: Impulse;
     for (var sweep = 0u; sweep < BOUNCE_SWEEPS; sweep++) {
         var linear = 0.0;
@@ -319,6 +331,7 @@ fn restore_pair(
         }
         take(a, -linear * t.normal, turning_a);
         take(b, linear * t.normal, turning_b);
+        mend_friction(&t, points, &added, material, sliding, a, b);
     }
     return press(&t, points, added);
 }

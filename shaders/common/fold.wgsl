@@ -59,9 +59,11 @@ fn stands(node: Node, bone: Bone, link: Link, h: f32) -> Carried {
 }
 
 // What the parent feels, with the stiffness that the pull of the joint gives the parent.
-fn pulled(felt: ptr<function, Carried>, node: Node, link: Link, h: f32) {
-    let inertia = (*felt).articulated.inertia;
-    (*felt).articulated.inertia = stiffened(inertia, link.parent_arm, -node.impulse, h);
+fn pulled(node: Node, link: Link, felt: Carried, h: f32) -> Carried {
+    var stiff = felt;
+    let inertia = felt.articulated.inertia;
+    stiff.articulated.inertia = stiffened(inertia, link.parent_arm, -node.impulse, h);
+    return stiff;
 }
 // ANCHOR_END: stands
 

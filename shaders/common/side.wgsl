@@ -20,6 +20,8 @@ struct Side {
     angular_velocity: vec3f,
     // n I⁻¹ in world axes.
     shared_inertia: mat3x3f,
+    // What the two velocities were before the substep's kick.
+    before: Before,
 }
 // ANCHOR_END: side
 

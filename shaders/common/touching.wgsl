@@ -47,12 +47,11 @@ fn touching(m: ptr<function, Manifold>, a: ptr<function, Side>, b: ptr<function,
         if k < points {
             let gap = core_b[k] - core_a[k];
             t.distance[k] = dot(gap, t.normal) - (*m).round_a - (*m).round_b;
-            let apart_less = ((*m).round_a - (*m).round_b) * t.normal;
-            let middle = 0.5 * (core_a[k] + core_b[k] + apart_less);
-            t.lever_a[k] = cross(middle, t.normal);
-            t.lever_b[k] = cross(middle - apart, t.normal);
-            t.mean_a += middle * share;
-            core_a[k] = middle;
+            let arm = middle(m, core_a[k], core_b[k], t.normal, t.distance[k]);
+            t.lever_a[k] = cross(arm, t.normal);
+            t.lever_b[k] = cross(arm - apart, t.normal);
+            t.mean_a += arm * share;
+            core_a[k] = arm;
         }
     }
     t.mean_b = t.mean_a - apart;
@@ -62,6 +61,18 @@ fn touching(m: ptr<function, Manifold>, a: ptr<function, Side>, b: ptr<function,
         }
     }
     return t;
+}
+
+// Where two surfaces meet: in the middle of the gap. On a round body that is along the normal from its
+// core point; a point fixed in a face would lag behind a body that rolls on.
+fn middle(m: ptr<function, Manifold>, core_a: vec3f, core_b: vec3f, normal: vec3f, distance: f32) -> vec3f {
+    if (*m).round_a > 0.0 {
+        return core_a + ((*m).round_a + 0.5 * distance) * normal;
+    }
+    if (*m).round_b > 0.0 {
+        return core_b - ((*m).round_b + 0.5 * distance) * normal;
+    }
+    return 0.5 * (core_a + core_b);
 }
 
 // The normal for bodies where they are now.
@@ -91,10 +102,23 @@ fn parting(t: ptr<function, Touching>, k: u32, a: ptr<function, Side>, b: ptr<fu
         - dot((*t).lever_a[k], (*a).angular_velocity);
 }
 
+// The same before the kick.
+fn parting_before(
+    t: ptr<function, Touching>,
+    k: u32,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+) -> f32 {
+    return dot((*t).normal, (*b).before.velocity - (*a).before.velocity)
+        + dot((*t).lever_b[k], (*b).before.angular_velocity)
+        - dot((*t).lever_a[k], (*a).before.angular_velocity);
+}
+
 // ANCHOR: press
 // The impulses of a pair as its bodies receive them.
 fn press(t: ptr<function, Touching>, points: u32, impulse: Impulse) -> Press {
     var pressed: Press;
+    pressed.stays = 1.0;
     for (var k = 0u; k < POINTS; k++) {
         if k < points {
             pressed.linear += impulse.normal[k] * (*t).normal;
@@ -118,9 +142,9 @@ fn pressed_of(pressed: Press, bounces: f32) -> Pressed {
         pressed.push,
         bounces,
         array<vec4f, 4>(
-            vec4f(pressed.angular_a, 0.0),
+            vec4f(pressed.angular_a, pressed.stays),
             vec4f(pressed.push_a, 0.0),
-            vec4f(pressed.angular_b, 0.0),
+            vec4f(pressed.angular_b, pressed.stays),
             vec4f(pressed.push_b, 0.0),
         ),
     );

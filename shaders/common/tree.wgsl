@@ -97,12 +97,12 @@ fn solve_tree(lane: u32, node: Node, bone: Bone, link: Link, h: f32) -> Unfolded
         if node.kind != EMPTY && node.depth == deepest - up {
             var body = stands(node, bone, link, h);
             for (var child = 0u; child < min(node.children, NODES); child++) {
-                carried_plus(&body, told_felt(lane_of(node.first_child + child)));
+                let felt = told_felt(lane_of(node.first_child + child));
+                carried_plus(&body, felt);
             }
-            var folded = fold(node.kind, link, bone, body);
-            pulled(&folded.felt, node, link, h);
+            let folded = fold(node.kind, link, bone, body);
             kept = folded.kept;
-            tell_felt(lane, folded.felt);
+            tell_felt(lane, pulled(node, link, folded.felt, h));
         }
         workgroupBarrier();
     }
@@ -113,7 +113,8 @@ fn solve_tree(lane: u32, node: Node, bone: Bone, link: Link, h: f32) -> Unfolded
             if node.parent != NONE {
                 parent = told_change(lane_of(node.parent));
             }
-            unfolded = unfold(node.kind, link, kept, told_felt(lane), parent);
+            let felt = told_felt(lane);
+            unfolded = unfold(node.kind, link, kept, felt, parent);
             tell_change(lane, unfolded.change);
         }
         workgroupBarrier();

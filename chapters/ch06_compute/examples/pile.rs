@@ -16,9 +16,15 @@ use std::time::{Duration, Instant};
 use ch00_scenes::measures::Measures;
 use ch00_scenes::{Engine, EngineEntry, Scene, Settings, State};
 use ch01_hierarchy::styles::report::processor;
+use ch06_compute::compute::ComputeEngine;
 
 /// What `--engine` can name, the default first.
-const ENGINES: &[EngineEntry] = &[ch06_compute::LANES, ch05_properties::ENGINE];
+const ENGINES: &[EngineEntry] = &[
+    ch06_compute::LANES,
+    ch06_compute::COMPUTE,
+    ch05_properties::ENGINE,
+    ch04_ragdolls::ENGINE,
+];
 
 /// Of the timed steps.
 const BATCHES: u32 = 5;
@@ -138,7 +144,33 @@ impl Timed for OneByOne {
     }
 }
 
+/// Steps on a device: handed over together, and waited for once.
+struct Queued(ComputeEngine);
+
+/// As many steps are recorded into one submission.
+const TOGETHER: u32 = 50;
+
+impl Timed for Queued {
+    fn engine(&self) -> &dyn Engine {
+        &self.0
+    }
+
+    fn steps(&mut self, dt: f32, count: u32) {
+        let mut left = count;
+        while left > 0 {
+            let now = left.min(TOGETHER);
+            self.0.steps(dt, now);
+            left -= now;
+        }
+        self.0.finish();
+    }
+}
+
 fn load(options: &Options, scene: &Scene) -> Result<Box<dyn Timed>, Problem> {
+    if options.engine.name == ch06_compute::COMPUTE.name {
+        let engine = ComputeEngine::load(scene, &options.settings)?;
+        return Ok(Box::new(Queued(engine)));
+    }
     let engine = (options.engine.load)(scene, &options.settings)?;
     Ok(Box::new(OneByOne(engine)))
 }

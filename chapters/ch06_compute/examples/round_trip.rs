@@ -117,9 +117,10 @@ impl Options {
                 "--from" => options.from = Some(value()?),
                 "--boxes" => options.boxes = true,
                 _ => {
-                    return Err(
-                        format!("`{argument}` is none of --counts, --boxes, --csv, --from").into(),
-                    );
+                    return Err(format!(
+                        "`{argument}` is none of --counts, --boxes, --csv, --from"
+                    )
+                    .into());
                 }
             }
         }

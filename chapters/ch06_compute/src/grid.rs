@@ -25,7 +25,7 @@ pub type Cell = [i32; 3];
 /// Where cells are, and where they are in the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
-    /// Edge of a cell, m: what two bodies that aren't large may be apart and still touch in the step.
+    /// Edge of a cell, m.
     pub edge: f32,
     /// How many slots along x, y and z.
     pub slots: [u32; 3],
@@ -64,11 +64,7 @@ impl Grid {
             .iter()
             .map(|&row| places[row].reach)
             .fold(0.0, f32::max);
-        let edge = if widest > 0.0 {
-            2.0 * widest + margin_of(widest)
-        } else {
-            1.0
-        };
+        let edge = if widest > 0.0 { 2.5 * widest } else { 1.0 };
         let places: Vec<Place> = rows.iter().map(|&row| places[row]).collect();
         Self::with_edge(edge, &places)
     }
@@ -95,11 +91,11 @@ impl Grid {
     }
 }
 
-/// How much farther than they reach two of the widest may look, m: what they can move in a step
-/// without being fast.
+/// How much farther than they reach two of the widest may look on the GPU, m: what they may come nearer in a
+/// step.
 #[must_use]
 pub fn margin_of(widest: f32) -> f32 {
-    0.5 * widest + 2.0 * crate::rules::MARGIN
+    2.0 * widest + 2.0 * crate::rules::MARGIN
 }
 
 /// Slots for so many cells: one more, since what lies across a border is in both, and at least [`FEWEST`].

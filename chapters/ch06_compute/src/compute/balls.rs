@@ -20,8 +20,8 @@ pub const ROOM: usize = 24;
 /// too far away, and are more.
 const EDGE: f32 = 2.2;
 
-/// Largest ratio of radii: a ball of three times the radius is touched by up to 57 small ones, and an
-/// invocation notes up to 64.
+/// Largest ratio of radii: a ball of three times the radius is touched by up to 57 small ones, and there must
+/// be as much room for every ball.
 const MOST_RATIO: f32 = 3.01;
 
 /// Most walls: every ball looks at each.

@@ -3,22 +3,21 @@
 //! the order of the scene.
 
 pub mod columns;
+mod explain;
 mod kernels;
 pub mod plan;
 
-use std::time::Duration;
-
-use ch00_scenes::{Scene, State};
+use ch00_scenes::{Counters, Scene, State};
 
 pub use columns::Room;
-use columns::{allocate, fits, grow, no_mouse, pair_counts, upload};
+use columns::{allocate, fits, grow, no_mouse, pair_counts, upload, write_momenta};
 use kernels::{PairKernels, Sizes};
 use plan::{Plan, grid_of};
 
 use super::error::ComputeError;
 use crate::bodies::Bodies;
-use crate::lanes::forces::{Forces, Spring};
-use crate::rows::{GridOf, Mouse, PAIR_STATUS_LEN, PairsOf, Partner, Rigid, status_place};
+use crate::lanes::forces::Forces;
+use crate::rows::{Drawn, GridOf, Mouse, PAIR_STATUS_LEN, PairsOf, Rigid, Seen, status_place};
 use crate::rules::Rules;
 use crate::stream::{Columns, Gpu, Passes, StreamError, Timer};
 
@@ -36,7 +35,13 @@ pub struct Pairs {
     dt: f32,
     /// How many steps were asked for since loading.
     asked: u32,
-    state: State,
+    /// Those of which it isn't known that they were made: how long, and how many in a row.
+    waiting: Vec<(f32, u32)>,
+    /// The bodies at the start, with their momenta about what they turn about.
+    bodies: Bodies,
+    draws: bool,
+    /// What the status said when it came down last.
+    status: [u32; PAIR_STATUS_LEN],
 }
 
 impl Pairs {
@@ -63,20 +68,11 @@ impl Pairs {
         let mut bodies = Bodies::of(scene);
         let forces = Forces::of(scene, &mut bodies)
             .map_err(|(what, body)| ComputeError::Unsupported { what, body })?;
-        let mut aside: Vec<u32> = forces
-            .pivots
-            .iter()
-            .map(|pivot| pivot.body as u32)
-            .collect();
-        aside.sort_unstable();
-        let plan = Plan {
-            pivots: !forces.pivots.is_empty(),
-            ..Plan::of(scene, &bodies, &aside)
-        };
+        let plan = Plan::of(scene, &bodies, &forces);
         let grid = grid_of(&bodies, &plan, room.partners);
         let pairs_of = plan.pairs_of(room.pairs, room.large_pairs);
         let mut columns = Columns::new(gpu);
-        allocate(&mut columns, &grid, &pairs_of, room)?;
+        allocate(&mut columns, &grid, &pairs_of, room, plan.bounces)?;
         upload(&mut columns, scene, &bodies, &forces, &plan)?;
         Ok(Self {
             kernels: PairKernels::of(gpu, &plan)?,
@@ -86,9 +82,12 @@ impl Pairs {
             grid,
             pairs_of,
             room,
-            dt: 0.0,
+            dt: f32::NAN,
             asked: 0,
-            state: State::start_of(scene),
+            waiting: Vec::new(),
+            bodies,
+            draws: false,
+            status: [0; PAIR_STATUS_LEN],
         })
     }
 
@@ -105,27 +104,31 @@ impl Pairs {
             self.kernels.step(&mut passes, &self.sizes(), number)?;
         }
         passes.submit()?;
-        self.asked += count;
+        self.note(dt, count);
         Ok(())
     }
     // ANCHOR_END: step
 
-    /// Makes a step and says how long each part took.
+    /// Makes a step, without waiting; `timer` will know how long each part took.
     ///
     /// # Errors
     /// What the device can lack.
-    pub fn timed_step(
-        &mut self,
-        dt: f32,
-        timer: &mut Timer,
-    ) -> Result<Vec<(&'static str, Duration)>, StreamError> {
+    pub fn timed_step(&mut self, dt: f32, timer: &mut Timer) -> Result<(), StreamError> {
         self.set_dt(dt)?;
         let mut passes = Passes::timed(&self.columns, timer);
         self.kernels.step(&mut passes, &self.sizes(), self.asked)?;
         passes.submit()?;
-        self.asked += 1;
-        self.columns.gpu().wait()?;
-        Ok(timer.latest(self.columns.gpu()).unwrap_or_default())
+        self.note(dt, 1);
+        Ok(())
+    }
+
+    /// Keeps in mind that steps were asked for.
+    fn note(&mut self, dt: f32, count: u32) {
+        self.asked += count;
+        match self.waiting.last_mut() {
+            Some((last, steps)) if last.to_bits() == dt.to_bits() => *steps += count,
+            _ => self.waiting.push((dt, count)),
+        }
     }
 
     fn sizes(&self) -> Sizes {
@@ -135,6 +138,7 @@ impl Pairs {
             pair_counts: pair_counts(&self.grid, &self.pairs_of),
             larges: self.plan.larges.len(),
             substeps: self.rules.substeps,
+            draws: self.draws,
         }
     }
 
@@ -152,30 +156,32 @@ impl Pairs {
 
     // ANCHOR: settle
     /// Waits for all steps that were asked for. If some were not made since something had no room, makes
-    /// more and makes them now: nothing is lost. Says how often it had to.
+    /// more and makes them now: nothing is lost.
     ///
     /// # Errors
     /// [`StreamError::TooLarge`] or [`StreamError::OutOfMemory`] if the device has no more room; a lost
     /// device.
-    pub fn settle(&mut self) -> Result<u32, StreamError> {
-        let mut grown = 0;
+    pub fn settle(&mut self) -> Result<(), StreamError> {
         loop {
-            let status = self.status()?;
-            let missing = self.asked - status[status_place("STEPS")];
-            if status[status_place("HALTED")] == 0 {
-                return Ok(grown);
+            let read: Vec<u32> = self.columns.read("status")?;
+            self.status = std::array::from_fn(|place| read[place]);
+            let missing = self.asked - self.says("STEPS");
+            let waiting = last_of(std::mem::take(&mut self.waiting), missing);
+            if self.says("HALTED") == 0 {
+                return Ok(());
             }
-            self.make_room(&status)?;
-            grown += 1;
+            self.make_room()?;
             self.asked -= missing;
-            self.step(self.dt, missing)?;
+            for (dt, count) in waiting {
+                self.step(dt, count)?;
+            }
         }
     }
 
     /// Makes as much room as was needed, and half as much again.
-    fn make_room(&mut self, status: &[u32; PAIR_STATUS_LEN]) -> Result<(), StreamError> {
+    fn make_room(&mut self) -> Result<(), StreamError> {
         let more = |have: usize, name: &str| {
-            let needed = status[status_place(name)] as usize;
+            let needed = self.says(name) as usize;
             if needed > have {
                 needed + needed / 2
             } else {
@@ -198,32 +204,66 @@ impl Pairs {
     }
     // ANCHOR_END: settle
 
-    /// What the kernels say of how it goes: [`status_place`] knows what is where.
+    /// A number of the status by its name, as it last came down.
     ///
-    /// # Errors
-    /// A lost device.
-    pub fn status(&self) -> Result<[u32; PAIR_STATUS_LEN], StreamError> {
-        let read: Vec<u32> = self.columns.read("status")?;
-        Ok(std::array::from_fn(|place| read[place]))
+    /// # Panics
+    /// If there is no such number.
+    #[must_use]
+    pub fn says(&self, name: &str) -> u32 {
+        self.status[status_place(name)]
     }
 
-    /// Waits for all steps, and reads where every body is.
+    /// What a late look at the status says; true if steps must be made again, which it waits for.
     ///
     /// # Errors
     /// As for [`Self::settle`].
-    pub fn read(&mut self) -> Result<&State, StreamError> {
+    pub fn take_status(&mut self, status: &[u32]) -> Result<bool, StreamError> {
+        if status.len() != PAIR_STATUS_LEN {
+            return Ok(false);
+        }
+        self.status.copy_from_slice(status);
+        let halted = self.says("HALTED") != 0;
+        if halted {
+            self.settle()?;
+        }
+        Ok(halted)
+    }
+
+    /// What the steps counted, as it last came down.
+    #[must_use]
+    pub fn counters(&self) -> Counters {
+        let kinds = status_place("KIND_FIRST") + self.plan.kinds.len();
+        Counters {
+            pairs: self.status[kinds] as usize,
+            contacts: self.says("LIVE") as usize,
+            overflow: self.says("NOT_FINITE") as usize,
+        }
+    }
+
+    /// The row of the first body that was not finite, and how many rows were in all steps, if any.
+    #[must_use]
+    pub fn not_finite(&self) -> Option<(u32, u32)> {
+        let rows = self.says("NOT_FINITE");
+        (rows > 0).then(|| (self.says("FIRST_NOT_FINITE"), rows))
+    }
+
+    /// Waits for all steps, and writes where every body is into `state`.
+    ///
+    /// # Errors
+    /// As for [`Self::settle`].
+    pub fn read(&mut self, state: &mut State) -> Result<(), StreamError> {
         self.settle()?;
         let rigids: Vec<Rigid> = self.columns.read("rigids")?;
-        self.state.clear();
+        state.clear();
         for rigid in &rigids {
-            self.state.push(
+            state.push(
                 rigid.position.as_dvec3(),
                 rigid.attitude.as_dquat().normalize(),
                 rigid.velocity.as_dvec3(),
                 rigid.angular_velocity.as_dvec3(),
             );
         }
-        Ok(&self.state)
+        Ok(())
     }
 
     /// Takes over where bodies are and how they move; what they pressed is forgotten.
@@ -232,32 +272,83 @@ impl Pairs {
     /// As for [`Self::settle`].
     pub fn write(&mut self, state: &State) -> Result<(), StreamError> {
         self.settle()?;
+        self.bodies.write(state);
         let mut rigids: Vec<Rigid> = self.columns.read("rigids")?;
-        for (row, rigid) in rigids.iter_mut().enumerate().take(state.len()) {
-            rigid.position = state.position[row].as_vec3();
-            rigid.attitude = state.orientation[row].as_quat().normalize();
-            rigid.velocity = state.linear_velocity[row].as_vec3();
-            rigid.angular_velocity = state.angular_velocity[row].as_vec3();
+        for (row, rigid) in rigids.iter_mut().enumerate() {
+            rigid.position = self.bodies.place[row].position;
+            rigid.attitude = self.bodies.attitude[row];
+            rigid.velocity = self.bodies.motion[row].velocity;
+            rigid.angular_velocity = self.bodies.spin[row].angular_velocity;
         }
         self.columns.write("rigids", &rigids)?;
+        write_momenta(&mut self.columns, &self.bodies)?;
         for name in ["partners_a", "partners_b"] {
             self.columns.clear(name)?;
         }
-        Ok(())
+        if self.draws {
+            self.write_drawn()
+        } else {
+            Ok(())
+        }
     }
 
-    /// The mouse pulls, or lets go.
+    /// Writes rows for drawing from now on: a row [`Drawn`] a body, in column `drawn`, and a row [`Seen`]
+    /// in `seen`.
+    ///
+    /// # Errors
+    /// No memory for them.
+    pub fn draw(&mut self) -> Result<(), StreamError> {
+        if !self.columns.has("drawn") {
+            self.columns.add::<Drawn>("drawn", self.bodies.rows())?;
+            self.columns.add::<Seen>("seen", self.bodies.rows())?;
+        }
+        self.draws = true;
+        self.write_drawn()
+    }
+
+    /// Writes the rows for drawing as if all had stood still.
+    fn write_drawn(&mut self) -> Result<(), StreamError> {
+        let rows = 0..self.bodies.rows();
+        let drawn = |row: usize| {
+            let (position, orientation) =
+                (self.bodies.place[row].position, self.bodies.attitude[row]);
+            Drawn {
+                position,
+                orientation,
+                position_last: position,
+                orientation_last: orientation,
+                ..Drawn::default()
+            }
+        };
+        let seen = |row: usize| Seen {
+            velocity: self.bodies.motion[row].velocity,
+            angular_velocity: self.bodies.spin[row].angular_velocity,
+            ..Seen::default()
+        };
+        let (drawn, seen): (Vec<_>, Vec<_>) = rows.map(|row| (drawn(row), seen(row))).unzip();
+        self.columns.write("drawn", &drawn)?;
+        self.columns.write("seen", &seen)
+    }
+
+    /// The mouse pulls from now on, or lets go.
     ///
     /// # Errors
     /// A lost device.
-    pub fn pull(&mut self, spring: Option<Spring>) -> Result<(), StreamError> {
-        let mouse = spring.map_or_else(no_mouse, |spring| Mouse {
-            anchor: spring.anchor,
-            body: spring.body as u32,
-            towards: spring.target,
-            mass: spring.mass,
-        });
-        self.columns.write("mouse", &[mouse])
+    pub fn pull(&mut self, mouse: Option<Mouse>) -> Result<(), StreamError> {
+        self.columns
+            .write("mouse", &[mouse.unwrap_or_else(no_mouse)])
+    }
+
+    /// Passes, columns, and bytes a body and a pair.
+    #[must_use]
+    pub fn explain(&self) -> String {
+        explain::explain(self)
+    }
+
+    /// How many steps were asked for.
+    #[must_use]
+    pub fn steps(&self) -> u32 {
+        self.asked
     }
 
     /// The device and its columns.
@@ -278,11 +369,30 @@ impl Pairs {
         self.room
     }
 
-    /// Bytes that a body and a pair have in all columns.
+    /// Cells of the grid along x, y and z, and their edge, m.
     #[must_use]
-    pub fn row_bytes(&self) -> [usize; 2] {
-        let lists = (self.room.partners + 1) * (2 * size_of::<Partner>() + size_of::<u32>());
-        let body = size_of::<Rigid>() + 32 + 2 * 32 + 2 * 4 + 8 * self.plan.kinds.len();
-        [body + lists, 176 + 2 * 64 + 96 + 16]
+    pub fn grid(&self) -> ([u32; 3], f32) {
+        let grid = &self.grid;
+        ([grid.slots_x, grid.slots_y, grid.slots_z], grid.edge)
     }
+
+    /// The kernels' names in the order of a step.
+    #[must_use]
+    pub fn passes(&self) -> Vec<&'static str> {
+        self.kernels.names()
+    }
+}
+
+/// The last `missing` of steps that wait.
+fn last_of(waiting: Vec<(f32, u32)>, mut missing: u32) -> Vec<(f32, u32)> {
+    let mut last = Vec::new();
+    for (dt, count) in waiting.into_iter().rev() {
+        let taken = count.min(missing);
+        missing -= taken;
+        if taken > 0 {
+            last.push((dt, taken));
+        }
+    }
+    last.reverse();
+    last
 }

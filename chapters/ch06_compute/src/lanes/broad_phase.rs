@@ -8,6 +8,9 @@ use crate::bodies::Bodies;
 use crate::grid::{self, Cell, Grid};
 use crate::rules::MARGIN;
 
+/// A body is fast if it looks farther than so many cells.
+const FAST: f32 = 2.0;
+
 /// What the broad phase keeps: its memory from step to step, and its result.
 #[derive(Clone, Debug, Default)]
 pub struct BroadPhase {
@@ -30,7 +33,7 @@ pub struct BroadPhase {
     pub ignored: Vec<(usize, usize)>,
     /// Rows of bodies that hang on a fixed point, in order: they touch nothing.
     pub aside: Vec<u32>,
-    /// How many bodies moved farther in the step than the grid looks.
+    /// How many bodies were fast in the last step: they looked farther than others.
     pub fast: usize,
 }
 
@@ -163,14 +166,19 @@ fn sort_rows(grid: &Grid, broad: &mut BroadPhase) {
 }
 // ANCHOR_END: counting_sort
 
-/// Looks for partners of each row: in the 27 cells about its own, and on the short list.
+/// Looks for partners of each row: in the cells about it, and on the short list.
 fn pair_up(bodies: &Bodies, grid: &Grid, dt: f32, broad: &mut BroadPhase) {
     let mut pairs = std::mem::take(&mut broad.pairs);
     pairs.clear();
+    let widest = widest_in_grid(bodies, broad);
+    broad.fast = 0;
     for &row in &broad.order {
-        around(broad, grid, row, |other| {
-            if other > row && may_touch(bodies, broad, row, other) {
-                pairs.push((row as usize, other as usize));
+        // Of two that come together one comes at least half of the way.
+        let far = bodies.place[row as usize].reach + 2.0 * ahead(bodies, row as usize, dt) + widest;
+        broad.fast += usize::from(far > FAST * grid.edge);
+        around(broad, bodies, grid, row, far, |other| {
+            if other != row && may_touch(bodies, broad, row, other) {
+                pairs.push((row.min(other) as usize, row.max(other) as usize));
             }
         });
         for &other in &broad.large {
@@ -187,34 +195,58 @@ fn pair_up(bodies: &Bodies, grid: &Grid, dt: f32, broad: &mut BroadPhase) {
         }
     }
     pairs.sort_unstable();
+    pairs.dedup();
     if !broad.ignored.is_empty() {
         pairs.retain(|pair| broad.ignored.binary_search(pair).is_err());
     }
     broad.pairs = pairs;
-    let limit = 0.25 * grid::margin_of(broad.largest_in_grid / grid::LARGE);
-    broad.fast = (0..bodies.rows())
-        .filter(|&row| ahead(bodies, row, dt) > limit)
-        .count();
 }
 
-/// Visits the rows in the cells about a row's own.
-fn around(broad: &BroadPhase, grid: &Grid, row: u32, mut visit: impl FnMut(u32)) {
-    let own = broad.cell[row as usize];
-    for step in 0..27 {
-        let cell = [
-            own[0] + step % 3 - 1,
-            own[1] + step / 3 % 3 - 1,
-            own[2] + step / 9 - 1,
-        ];
-        let slot = grid.slot_of(cell);
-        let (first, end) = (broad.starts[slot], broad.starts[slot + 1]);
-        for &other in &broad.order[first as usize..end as usize] {
-            if broad.cell[other as usize] == cell {
-                visit(other);
+/// The widest reach in the grid, m.
+fn widest_in_grid(bodies: &Bodies, broad: &BroadPhase) -> f32 {
+    let reaches = broad
+        .order
+        .iter()
+        .map(|&row| bodies.place[row as usize].reach);
+    reaches.fold(0.0, f32::max) + MARGIN
+}
+
+// ANCHOR: around
+/// Visits the rows in the cells within `far` of a row, m; all rows where that is a short way through them. A
+/// fast body looks along all that it may hit in the step.
+fn around(
+    broad: &BroadPhase,
+    bodies: &Bodies,
+    grid: &Grid,
+    row: u32,
+    far: f32,
+    mut visit: impl FnMut(u32),
+) {
+    let position = bodies.place[row as usize].position;
+    let low = grid.cell_of(position - far);
+    let high = grid.cell_of(position + far);
+    let widths: [i64; 3] =
+        std::array::from_fn(|axis| i64::from(high[axis]) - i64::from(low[axis]) + 1);
+    let fits = (0..3).all(|axis| widths[axis] <= i64::from(grid.slots[axis]));
+    if !fits || widths.iter().product::<i64>() > broad.order.len() as i64 {
+        broad.order.iter().copied().for_each(visit);
+        return;
+    }
+    for z in low[2]..=high[2] {
+        for y in low[1]..=high[1] {
+            for x in low[0]..=high[0] {
+                let slot = grid.slot_of([x, y, z]);
+                let (first, end) = (broad.starts[slot], broad.starts[slot + 1]);
+                let rows = &broad.order[first as usize..end as usize];
+                rows.iter()
+                    .copied()
+                    .filter(|&other| broad.cell[other as usize] == [x, y, z])
+                    .for_each(&mut visit);
             }
         }
     }
 }
+// ANCHOR_END: around
 
 /// Whether two bodies may touch in the step, and one of them can move.
 fn may_touch(bodies: &Bodies, broad: &BroadPhase, a: u32, b: u32) -> bool {

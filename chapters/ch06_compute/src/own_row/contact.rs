@@ -9,7 +9,7 @@
 use glam::{Mat3, Quat, Vec3, Vec4};
 
 use crate::rows::{FIXED, Impulse, Manifold, Material, Motion, Place, Press, Solid, Spin, Step};
-use crate::rows::{WITH_A, WITH_B};
+use crate::rows::{ROUND, WITH_A, WITH_B};
 
 /// Below this an effective inverse mass or a length is none.
 const SMALL: f32 = 1e-12;
@@ -253,8 +253,8 @@ pub fn solve_pair(
 ) -> Press {
     let [mut a, mut b] = sides;
     let t = touching(m, &a, &b);
-    let soon = note_impacts(&t, m.points, approach, &a, &b, step);
-    let active = activate(&t, m.points, impulse, &a, &b, step);
+    let soon = note_impacts(m, &t, approach, &a, &b, step);
+    let active = activate(m, &t, impulse, &a, &b, step);
     let pressed_before = impulse.normal.max_element() > 0.0;
     let mut pressed = Press::default();
     if active {
@@ -296,8 +296,8 @@ fn is_impact(pressed: &Press, a: &Side, b: &Side, step: &Step) -> bool {
 /// The speed is that at the surface: u² = c² + 2 a s, where c is the speed of approach before the substep's
 /// kick, a the acceleration of approach, and s the gap that is left.
 fn note_impacts(
+    m: &Manifold,
     t: &Touching,
-    points: u32,
     approach: &mut Vec4,
     a: &Side,
     b: &Side,
@@ -305,9 +305,9 @@ fn note_impacts(
 ) -> bool {
     let mut soon = false;
     let closing = closing_pull(t.normal, a, b, step.gravity);
-    for k in 0..points as usize {
+    for k in 0..m.points as usize {
         let speed = parting(t, k, a, b);
-        if t.distance[k] + step.h * speed <= 0.0 {
+        if t.distance[k] + step.h * speed <= 0.0 && !passes(m, t, k, a, b, step.h) {
             let before = (-parting_before(t, k, a, b)).max(0.0);
             let squared = before * before + 2.0 * closing * t.distance[k].max(0.0);
             approach[k] = approach[k].min(-squared.max(0.0).sqrt());
@@ -316,6 +316,21 @@ fn note_impacts(
     }
     soon
 }
+
+// ANCHOR: passes
+/// Whether two round bodies that come nearer pass each other within the substep: the nearest that their core
+/// points come is farther than both radii. Without it a fast ball would be stopped by what it flies past.
+fn passes(m: &Manifold, t: &Touching, k: usize, a: &Side, b: &Side, h: f32) -> bool {
+    if m.turns != ROUND || t.distance[k] <= 0.0 {
+        return false;
+    }
+    let reach = m.round_a + m.round_b;
+    let apart = (t.distance[k] + reach) * t.normal;
+    let moves = h * (b.velocity_at(t.arm_b[k]) - a.velocity_at(t.arm_a[k]));
+    let part = (-apart.dot(moves) / moves.length_squared().max(SMALL)).clamp(0.0, 1.0);
+    (apart + part * moves).length_squared() > reach * reach
+}
+// ANCHOR_END: passes
 
 /// The acceleration with which gravity brings a and b together along the normal, m/s².
 fn closing_pull(normal: Vec3, a: &Side, b: &Side, gravity: Vec3) -> f32 {
@@ -332,16 +347,17 @@ fn closing_pull(normal: Vec3, a: &Side, b: &Side, gravity: Vec3) -> f32 {
 
 /// Whether a point is active. Points that aren't press no more.
 fn activate(
+    m: &Manifold,
     t: &Touching,
-    points: u32,
     impulse: &mut Impulse,
     a: &Side,
     b: &Side,
     step: &Step,
 ) -> bool {
     let mut active = false;
-    for k in 0..points as usize {
-        let comes = t.distance[k] + step.h * parting(t, k, a, b) <= 0.0;
+    for k in 0..m.points as usize {
+        let comes =
+            t.distance[k] + step.h * parting(t, k, a, b) <= 0.0 && !passes(m, t, k, a, b, step.h);
         active = active || impulse.normal[k] > 0.0 || t.distance[k] <= 0.0 || comes;
     }
     if !active {

@@ -1,15 +1,16 @@
 //! The columns of pairs: made, filled, and made larger.
 
 use super::kernels::PER_BLOCK;
-use super::plan::{ASIDE, Plan, TOO_LARGE};
+use super::plan::{ASIDE, Plan, TOO_LARGE, poles_of};
 use crate::bodies::Bodies;
 use crate::lanes::forces::Forces;
 use crate::rows::{
-    Bound, Contact, GridOf, Held, Memory, Mouse, NONE, PAIR_STATUS_LEN, PairsOf, Partner, Pivot,
-    Pressed, Rigid, Scan, Step, Total, status_place,
+    Before, Bound, Contact, GridOf, Holding, Memory, Mouse, NONE, PAIR_STATUS_LEN, PairsOf,
+    Partner, Pivot, Pole, Pressed, Rigid, Scan, Step, Total, status_place,
 };
 use crate::stream::{Columns, Gpu, StreamError};
 use ch00_scenes::Scene;
+use glam::Vec3;
 
 /// For how much there is room at first. It grows on demand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,11 +75,13 @@ pub fn allocate(
     grid: &GridOf,
     pairs_of: &PairsOf,
     room: Room,
+    bounces: bool,
 ) -> Result<(), StreamError> {
     let (rows, starts) = (grid.capacity as usize, grid.starts as usize);
     let pair_counts = pair_counts(grid, pairs_of);
     columns.add::<Rigid>("rigids", rows)?;
-    columns.add::<Held>("helds", rows)?;
+    columns.add::<Holding>("holdings", rows)?;
+    columns.add::<Before>("befores", if bounces { rows } else { 1 })?;
     columns.add::<Bound>("bounds", rows)?;
     columns.add::<Bound>("sorted", rows)?;
     for name in ["slots", "order"] {
@@ -170,12 +173,29 @@ pub fn upload(
         first += list.len() as u32;
     }
     columns.write("rigids", &rigids)?;
+    write_momenta(columns, bodies)?;
     let ignored = lists.concat();
     columns.add::<u32>("ignored", ignored.len())?;
     columns.write("ignored", &ignored)?;
     let pivots: Vec<Pivot> = forces.pivots.iter().map(pivot_of).collect();
     columns.add::<Pivot>("pivots", pivots.len())?;
-    columns.write("pivots", &pivots)
+    columns.write("pivots", &pivots)?;
+    let poles = poles_of(scene);
+    columns.add::<Pole>("poles", poles.len())?;
+    columns.write("poles", &poles)
+}
+
+/// Nothing holds any body, and each turns as it does.
+///
+/// # Errors
+/// A lost device.
+pub fn write_momenta(columns: &mut Columns, bodies: &Bodies) -> Result<(), StreamError> {
+    let holding = |&momentum: &Vec3| Holding {
+        momentum,
+        ..Holding::default()
+    };
+    let holdings: Vec<Holding> = bodies.momentum.iter().map(holding).collect();
+    columns.write("holdings", &holdings)
 }
 
 fn pivot_of(pivot: &crate::lanes::forces::Pivot) -> Pivot {

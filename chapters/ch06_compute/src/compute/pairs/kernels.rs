@@ -69,6 +69,8 @@ pub struct Sizes {
     pub larges: usize,
     /// Parts of a step.
     pub substeps: u32,
+    /// Whether anybody draws.
+    pub draws: bool,
 }
 
 /// All kernels of a step.
@@ -91,6 +93,9 @@ pub struct PairKernels {
     advance: Kernel,
     advance_last: Kernel,
     restore: Option<(Sided, Kernel)>,
+    /// Where what pulls depends on where others are.
+    kick: Option<Kernel>,
+    state: Kernel,
 }
 
 impl PairKernels {
@@ -166,6 +171,12 @@ impl PairKernels {
             advance: advance(false)?,
             advance_last: advance(true)?,
             restore: if plan.bounces { Some(restore()?) } else { None },
+            kick: if plan.poles > 0 {
+                Some(make("kick", "ch06_pair_kick", "pair_kick", false)?)
+            } else {
+                None
+            },
+            state: make("state", "ch06_pair_state", "pair_state", false)?,
         })
     }
 
@@ -189,6 +200,7 @@ impl PairKernels {
         passes.section("substeps");
         self.add_large(passes, sizes)?;
         passes.run(&self.start.0[side], sizes.rows)?;
+        self.kick(passes, sizes)?;
         for substep in 1..=sizes.substeps {
             let is_last = substep == sizes.substeps;
             let solve = if is_last {
@@ -204,6 +216,9 @@ impl PairKernels {
             passes.run_indirect(&solve.0[side], "groups", 0)?;
             self.add_large(passes, sizes)?;
             passes.run(advance, sizes.rows)?;
+            if !is_last {
+                self.kick(passes, sizes)?;
+            }
         }
         if let Some((restore, rebound)) = &self.restore {
             passes.section("restitution");
@@ -211,9 +226,28 @@ impl PairKernels {
             self.add_large(passes, sizes)?;
             passes.run(rebound, sizes.rows)?;
         }
+        if sizes.draws {
+            passes.run(&self.state, sizes.rows)?;
+        }
         Ok(())
     }
     // ANCHOR_END: step
+
+    /// The names of the passes in the order of a step, those of the substeps once.
+    #[must_use]
+    pub fn names(&self) -> Vec<&'static str> {
+        let mut names = vec![
+            "cells", "scan", "scatter", "sort", "find", "scan", "plan", "list", "meet", "start",
+            "solve", "advance",
+        ];
+        if self.kick.is_some() {
+            names.push("kick");
+        }
+        if self.restore.is_some() {
+            names.extend(["restore", "rebound"]);
+        }
+        names
+    }
 
     /// The broad phase.
     fn find(&self, passes: &mut Passes<'_>, sizes: &Sizes, side: usize) -> Result<(), StreamError> {
@@ -226,6 +260,14 @@ impl PairKernels {
         self.scan_pairs.run(passes, sizes.pair_counts)?;
         passes.run_workgroups(&self.plan, 1)?;
         passes.run(&self.list.0[side], sizes.rows)
+    }
+
+    /// What pulls, where it is summed in a pass of its own.
+    fn kick(&self, passes: &mut Passes<'_>, sizes: &Sizes) -> Result<(), StreamError> {
+        match &self.kick {
+            Some(kick) => passes.run(kick, sizes.rows),
+            None => Ok(()),
+        }
     }
 
     /// What pairs did to large bodies that move.
@@ -246,7 +288,7 @@ fn constants(plan: &Plan, last: bool) -> Vec<(&'static str, f64)> {
         ("IGNORES", flag(plan.ignores)),
         ("MOVING_LARGE", flag(!plan.larges.is_empty())),
         ("PIVOTS", flag(plan.pivots)),
-        ("PULLS", flag(plan.poles)),
+        ("PULLS", flag(plan.poles > 0)),
         ("LAST", flag(last)),
     ]
 }

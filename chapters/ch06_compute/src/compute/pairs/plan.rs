@@ -1,11 +1,12 @@
 //! What a scene needs of the kernels for pairs, and nothing more.
 
-use ch00_scenes::Scene;
+use ch00_scenes::{Force, Scene};
 
 use crate::bodies::Bodies;
 use crate::grid::{Grid, LARGE, largest_in_grid, margin_of};
+use crate::lanes::forces::Forces;
 use crate::own_row::narrow::{PAIR_KINDS, pair_kind};
-use crate::rows::{GridOf, NONE, PairsOf, Place};
+use crate::rows::{GridOf, NONE, PairsOf, Place, Pole};
 use crate::rules::MARGIN;
 
 /// A body that is too large for the grid.
@@ -35,21 +36,27 @@ pub struct Plan {
     pub largest_in_grid: f32,
     /// Whether any body hangs on a fixed point.
     pub pivots: bool,
-    /// Whether there are poles, so that what pulls a body depends on where others are.
-    pub poles: bool,
+    /// How many poles there are. Where there are any, what pulls a body depends on where others are.
+    pub poles: usize,
 }
 // ANCHOR_END: plan
 
 impl Plan {
-    /// Of a scene; `aside` are rows of bodies that touch nothing.
+    /// Of a scene.
     #[must_use]
-    pub fn of(scene: &Scene, bodies: &Bodies, aside: &[u32]) -> Self {
+    pub fn of(scene: &Scene, bodies: &Bodies, forces: &Forces) -> Self {
+        let mut aside: Vec<u32> = forces
+            .pivots
+            .iter()
+            .map(|pivot| pivot.body as u32)
+            .collect();
+        aside.sort_unstable();
         let moving: Vec<usize> = (0..bodies.rows())
             .filter(|&row| !bodies.is_static(row))
             .collect();
         let reaches = moving.iter().map(|&row| bodies.place[row].reach).collect();
         let limit = largest_in_grid(reaches);
-        let kinds = kinds_of(bodies, aside);
+        let kinds = kinds_of(bodies, &aside);
         let points = kinds.iter().map(|&kind| MOST_POINTS[kind as usize]).max();
         let is_large = |row: &u32| bodies.place[*row as usize].reach > limit;
         let larges = moving.iter().map(|&row| row as u32).filter(is_large);
@@ -63,7 +70,8 @@ impl Plan {
             ignores: !scene.joints.is_empty(),
             larges: larges.filter(|row| !aside.contains(row)).collect(),
             largest_in_grid: limit,
-            ..Self::default()
+            pivots: !forces.pivots.is_empty(),
+            poles: poles_of(scene).len(),
         }
     }
 
@@ -88,7 +96,7 @@ impl Plan {
             low_slots,
             high_slots,
             fast: 0.25 * margin_of(self.largest_in_grid / LARGE),
-            poles: 0,
+            poles: self.poles as u32,
         }
     }
 
@@ -98,6 +106,25 @@ impl Plan {
         let found = self.larges.binary_search(&(row as u32));
         found.map_or(NONE, |place| place as u32)
     }
+}
+
+/// The magnetic poles of a scene.
+#[must_use]
+pub fn poles_of(scene: &Scene) -> Vec<Pole> {
+    let mut all = Vec::new();
+    for (index, force) in scene.forces.iter().enumerate() {
+        if let Force::Magnets { poles, softening } = force {
+            all.extend(poles.iter().map(|pole| Pole {
+                place: pole.position.as_vec3(),
+                body: pole.body as u32,
+                strength: pole.strength as f32,
+                softening: *softening as f32,
+                force: index as u32,
+                spare: 0,
+            }));
+        }
+    }
+    all
 }
 
 /// The kinds of pairs of which at least one body moves.

@@ -2,6 +2,7 @@
 
 mod dense;
 mod graph;
+mod kernels;
 mod scenes;
 mod world;
 

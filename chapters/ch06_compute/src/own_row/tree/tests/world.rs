@@ -100,7 +100,8 @@ impl World {
         };
     }
 
-    fn solve_rows(&mut self) {
+    /// Solves limits and loops once.
+    pub fn solve_rows(&mut self) {
         let bodies = &self.bodies;
         let side = |row: u32| {
             let row = row as usize;
