@@ -113,6 +113,7 @@ fn is_impact(given: vec3f, inverse_masses: f32) -> bool {
 fn solve(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) own: u32) {
     let row = (group_index(group) * GROUP + own) / TEAM;
     let member = own % TEAM;
+    // ANCHOR: solve_one
     // All that doesn't depend on anything is asked for at once: what waits for memory waits once.
     let needed = atomicLoad(&status[NEEDED]);
     let place = places[row];
@@ -129,6 +130,7 @@ fn solve(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) o
         next = neighbours[min(k + TEAM, grid.room - 1u) * grid.capacity + row];
         solve_contact(slot, neighbour, place, mover, held, surface, &sum);
     }
+    // ANCHOR_END: solve_one
     if TEAM > 1u {
         sums[own] = sum;
         workgroupBarrier();

@@ -21,6 +21,11 @@ const FAR: f32 = 0.35;
 // The share of what is beyond a bound that a substep turns back, and the fastest push, rad/s.
 const TURN_SHARE: f32 = 0.2;
 const FASTEST_TURN: f32 = 4.0;
+// What is beyond by less than this, rad, is left to the push; the share of the rest that the impulse turns
+// back in a substep, and the fastest that it does, rad/s.
+const TURN_SLOP: f32 = 0.01;
+const RETURN_SHARE: f32 = 0.05;
+const GENTLE_TURN: f32 = 0.25;
 
 // ANCHOR: bounded
 // A turn that is limited.
@@ -150,15 +155,22 @@ fn solve_turn(
     }
     let reply = max(dot(turn.axis, spin_of(pinned, *a, *b, turn.axis)), SMALL_SINE);
     let rate = dot(turn.axis, (*b).angular_velocity - (*a).angular_velocity);
-    let off = turn.side * rate + max(turn.room, 0.0) / h;
+    let back = returning(max(-turn.room - TURN_SLOP, 0.0), h);
+    let off = turn.side * rate + max(turn.room, 0.0) / h - back;
     let bounded = turn.side * max(turn.side * impulse - off / reply, 0.0);
-    let wanted = select(bounded, impulse - rate / reply, turn.is_locked);
+    let locked = impulse - (rate - returning(-turn.room, h)) / reply;
+    let wanted = select(bounded, locked, turn.is_locked);
     let change = (wanted - impulse) * turn.axis;
     (*gives).turning += change;
     turn_both(pinned, a, b, change);
     let pushed = dot(turn.axis, spin_of(pinned, *a, *b, (*gives).push));
     (*gives).push += turn.axis * pushed_back(turn, pushed, reply, h);
     return wanted;
+}
+
+// How fast the impulse turns back what is beyond, rad/s.
+fn returning(beyond: f32, h: f32) -> f32 {
+    return clamp(beyond * (RETURN_SHARE / h), -GENTLE_TURN, GENTLE_TURN);
 }
 
 // The turning push that turns back what is beyond a bound, N m s, where others push at this rate.

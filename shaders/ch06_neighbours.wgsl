@@ -61,6 +61,7 @@ var<workgroup> counts: array<u32, GROUP>;
 var<workgroup> sums: array<Sum, SUMS>;
 
 // ANCHOR: look
+// ANCHOR: note
 // Looks through rows of the grid for balls that are near enough, and notes them. What is to be done with
 // them waits: neighbours of a wavefront's balls turn up at different times, and each would hold up all.
 fn look(finding: ptr<function, Finding>, first: u32, end: u32) {
@@ -93,6 +94,7 @@ fn note(finding: ptr<function, Finding>, neighbour: u32) {
     }
     (*finding).count += 1u;
 }
+// ANCHOR_END: note
 
 fn room_to_note() -> u32 {
     return select(MOST_FOUND, grid.room, TEAM == 1u);

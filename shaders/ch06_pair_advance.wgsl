@@ -1,7 +1,9 @@
 // A substep of the bodies, an invocation a body: it gathers what its pairs did to it, puts that in the
-// place of what it started with, moves, and takes up what pulls and holds it for the next substep.
+// place of what it started with, moves, and takes up what pulls and holds it for the next substep. Bodies
+// that hang on each other do so tree by tree, and between gathering and moving mend their joints.
 // Needs common/index, common/trigonometry, common/rotation, common/rotation_vector,
-// common/free_rotation, rows, common/pairing, common/body.
+// common/free_rotation, rows, common/pairing, common/body, common/symmetric, common/articulated,
+// common/link, common/fold, common/tree.
 
 @group(0) @binding(0) var<uniform> grid: GridOf;
 @group(0) @binding(1) var<uniform> step: Step;
@@ -10,43 +12,101 @@
 @group(0) @binding(4) var<storage, read_write> holdings: array<Holding>;
 @group(0) @binding(5) var<storage, read> incidents: array<u32>;
 @group(0) @binding(6) var<storage, read> presses: array<Pressed>;
-@group(0) @binding(7) var<storage, read_write> status: array<u32>;
+@group(0) @binding(7) var<storage, read> status: array<u32>;
 @group(0) @binding(8) var<storage, read> totals: array<Total>;
 @group(0) @binding(9) var<storage, read> pivots: array<Pivot>;
 @group(0) @binding(10) var<storage, read_write> befores: array<Before>;
+@group(0) @binding(11) var<storage, read_write> nodes: array<Node>;
+@group(0) @binding(12) var<storage, read_write> joined: array<Held>;
+@group(0) @binding(13) var<storage, read> turned: array<Turned>;
 
-// The plan: whether any pair bounces, any large body moves, any body hangs on a fixed point, whether
-// what pulls is summed in a pass of its own, and whether it is the last substep.
+// The plan: whether any pair bounces, there are joints, any large body moves, any body hangs on a fixed
+// point, whether what pulls is summed in a pass of its own, and whether it is the last substep.
 override BOUNCES: bool = true;
+override JOINTS: bool = true;
 override MOVING_LARGE: bool = true;
 override PIVOTS: bool = true;
 override PULLS: bool = false;
 override LAST: bool = false;
 
 // ANCHOR: gather
-// Sums what its pairs did to a body, in the order of their IDs.
-fn gather(row: u32, large: u32) -> Total {
+// Sums what its pairs did to a body, in the order of their IDs. `before` of its list are no pairs.
+fn gather(row: u32, large: u32, before: u32) -> Total {
     var sum: Total;
     if MOVING_LARGE && large != NOBODY {
         sum = totals[large];
     }
     let count = incidents[row];
-    var next = incidents[grid.capacity + row];
-    for (var k = 1u; k <= count; k++) {
-        let pair = next >> 1u;
-        let side = next & 1u;
-        next = incidents[min(k + 1u, grid.room) * grid.capacity + row];
-        var given: Given;
-        given.linear = vec4f(presses[pair].linear, presses[pair].counts);
-        given.push = vec4f(presses[pair].push, presses[pair].bounces);
-        given.angular = presses[pair].turning[2u * side];
-        given.push_angular = presses[pair].turning[2u * side + 1u].xyz;
-        given.sign = select(-1.0, 1.0, side == 1u);
-        add(&sum, given);
+    var next = incidents[(before + 1u) * grid.capacity + row];
+    for (var k = before + 1u; k <= count; k++) {
+        let entry = next;
+        next = incidents[(k + 1u) * grid.capacity + row];
+        add(&sum, given_by(entry >> 1u, entry & 1u));
     }
     return sum;
 }
+
+// What a row did to the body on one side.
+fn given_by(row: u32, side: u32) -> Given {
+    return Given(
+        vec4f(presses[row].linear, presses[row].counts),
+        vec4f(presses[row].push, presses[row].bounces),
+        presses[row].turning[2u * side],
+        presses[row].turning[2u * side + 1u].xyz,
+        select(-1.0, 1.0, side == 1u),
+    );
+}
+
+// Adds what the limits and loops did that end at the body: they stand first in its list.
+fn gather_joints(sum: ptr<function, Total>, row: u32, ends: u32) {
+    for (var k = 1u; k <= ends; k++) {
+        let entry = incidents[k * grid.capacity + row];
+        if (entry & OF_LIMIT) != 0u {
+            let sign = select(-1.0, 1.0, (entry & 1u) == 1u);
+            add_turned(sum, turned[(entry & ~OF_LIMIT) >> 1u], sign);
+        } else {
+            var given = given_by(entry >> 1u, entry & 1u);
+            given.linear.w = 1.0;
+            given.angular.w = 1.0;
+            add(sum, given);
+        }
+    }
+}
 // ANCHOR_END: gather
+
+// ANCHOR: take_up
+// What comes after a body has moved: among how many its mass is shared, and the kick of the next substep.
+fn take_up(
+    row: u32,
+    rigid: ptr<function, Rigid>,
+    holding: ptr<function, Holding>,
+    of_tree: Held,
+    sum: Total,
+) {
+    (*rigid).shares = max(select(sum.counts, sum.bounces, LAST && BOUNCES), 1.0);
+    if LAST || PULLS {
+        return;
+    }
+    if BOUNCES {
+        befores[row] = Before((*rigid).velocity, 0.0, (*rigid).angular_velocity, 0.0);
+    }
+    var pull: Pull;
+    if mouse.body == row {
+        pull = drag(*rigid, mouse);
+    }
+    kick(rigid, holding, of_tree, pull, step);
+}
+// ANCHOR_END: take_up
+
+// Writes what changes in a substep.
+fn write(row: u32, rigid: Rigid, holding: Holding) {
+    rigids[row].position = rigid.position;
+    rigids[row].attitude = rigid.attitude;
+    rigids[row].velocity = rigid.velocity;
+    rigids[row].shares = rigid.shares;
+    rigids[row].angular_velocity = rigid.angular_velocity;
+    holdings[row] = holding;
+}
 
 // ANCHOR: advance
 @compute @workgroup_size(WORKGROUP)
@@ -58,42 +118,130 @@ fn pair_advance(@builtin(global_invocation_id) id: vec3u) {
     let halted = status[HALTED];
     var rigid = rigids[row];
     var holding = holdings[row];
-    if halted != 0u {
+    if halted != 0u || is_static(rigid) || (JOINTS && in_tree(rigid)) {
         return;
     }
-    if LAST && row == 0u {
-        status[STEPS] += 1u;
+    let ends = select(0u, rigid.ends, JOINTS);
+    var sum = gather(row, rigid.large, ends);
+    if JOINTS {
+        gather_joints(&sum, row, ends);
     }
-    if is_static(rigid) {
-        return;
-    }
-    let sum = gather(row, rigid.large);
     exchange(&rigid, &holding, sum);
-    if PIVOTS && rigid.pivot != NOBODY {
-        let push = moved_by(rigid, sum.push_angular);
-        turn_about(&rigid, &holding, pivots[rigid.pivot], push, step);
+    let push = push_of(rigid, sum);
+    if PIVOTS && rigid.role == ON_POINT {
+        turn_about(&rigid, &holding, pivots[rigid.seat], push.angular_velocity, step);
     } else {
-        advance(&rigid, holding.momentum, sum, step);
+        advance(&rigid, holding.momentum, push, sum.touches == 0.0, step);
     }
-    rigid.shares = max(select(sum.counts, sum.bounces, LAST && BOUNCES), 1.0);
-    if !LAST && !PULLS {
-        if BOUNCES {
-            befores[row] = Before(rigid.velocity, 0.0, rigid.angular_velocity, 0.0);
-        }
-        var pull: Pull;
-        if mouse.body == row {
-            pull = drag(rigid, mouse);
-        }
-        kick(&rigid, &holding, pull, step);
-    }
-    holdings[row] = holding;
-    rigids[row].position = rigid.position;
-    rigids[row].attitude = rigid.attitude;
-    rigids[row].velocity = rigid.velocity;
-    rigids[row].shares = rigid.shares;
-    rigids[row].angular_velocity = rigid.angular_velocity;
+    take_up(row, &rigid, &holding, Held(), sum);
+    write(row, rigid, holding);
 }
 // ANCHOR_END: advance
+
+// By the place of a tree's root: whether anything holds the tree up. If nothing touches it and it doesn't
+// hang on the world, it falls like a body that nothing touches.
+var<workgroup> is_held: array<atomic<u32>, NODES>;
+
+// A body, as its joints see it.
+fn bone_of(rigid: Rigid) -> Bone {
+    var bone: Bone;
+    bone.position = rigid.position;
+    bone.attitude = rigid.attitude;
+    bone.rate = Rate(rigid.velocity, rigid.angular_velocity);
+    bone.inverse_mass = rigid.inverse_mass;
+    bone.inverse_inertia = rigid.inverse_inertia;
+    return bone;
+}
+
+// Takes back from a body what its joints gave it at the start of the substep.
+fn take_back(bone: ptr<function, Bone>, given: Held) {
+    let turned = rotation_moment((*bone).attitude, (*bone).inverse_inertia, given.angular);
+    (*bone).rate.velocity -= given.linear * (*bone).inverse_mass;
+    (*bone).rate.spin -= turned;
+}
+
+// The joint of a node where it is now.
+fn link_at(node: Node, bone: Bone) -> Link {
+    if node.kind < PIN {
+        return Link();
+    }
+    var parent: Bone;
+    if node.parent == NONE {
+        parent = bone_of(rigids[node.parent_body]);
+    } else {
+        parent = told_bone(lane_of(node.parent));
+    }
+    var second: Bone;
+    if RODS && node.kind == TWO_RODS {
+        second = bone_of(rigids[node.second_parent]);
+    }
+    return link_of(node, bone, parent, second, step.h);
+}
+
+// With what its joints hold a body: with what changed its velocities.
+fn joined_by(bone: Bone, change: Rate) -> Held {
+    let turning = rotation_moment(bone.attitude, 1.0 / bone.inverse_inertia, change.spin);
+    return Held(change.velocity / bone.inverse_mass, 0.0, turning, 0.0);
+}
+
+// ANCHOR: trees
+// An invocation a node; a workgroup has whole trees.
+@compute @workgroup_size(NODES)
+fn pair_trees(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let at = NODES * group_index(group) + lane;
+    var node: Node;
+    if at < arrayLength(&nodes) && status[HALTED] == 0u {
+        node = nodes[at];
+    }
+    let row = node.body;
+    let is_one = node.kind != EMPTY;
+    atomicStore(&is_held[lane], 0u);
+    var rigid: Rigid;
+    var holding: Holding;
+    var sum: Total;
+    var bone: Bone;
+    if is_one {
+        rigid = rigids[row];
+        holding = holdings[row];
+        sum = gather(row, rigid.large, rigid.ends);
+        gather_joints(&sum, row, rigid.ends);
+        exchange(&rigid, &holding, sum);
+        bone = bone_of(rigid);
+        let push = push_of(rigid, sum);
+        bone.push = Rate(push.velocity, push.angular_velocity);
+        take_back(&bone, joined[at]);
+        tell_bone(lane, bone);
+    }
+    workgroupBarrier();
+    let hangs = node.parent == NONE && node.kind != FREE;
+    if is_one && (hangs || sum.touches > 0.0) {
+        atomicStore(&is_held[lane_of(node.root)], 1u);
+    }
+    let link = link_at(node, bone);
+    workgroupBarrier();
+    let unfolded = solve_tree(lane, node, bone, link, step.h);
+    if is_one {
+        let change = unfolded.change;
+        let of_tree = joined_by(bone, change[0]);
+        nodes[at].impulse = unfolded.given;
+        joined[at] = of_tree;
+        rigid.velocity = bone.rate.velocity + change[0].velocity;
+        rigid.angular_velocity = bone.rate.spin + change[0].spin;
+        holding.momentum = momentum_of(rigid);
+        let push = Push(
+            bone.push.velocity + change[1].velocity, 0.0,
+            bone.push.spin + change[1].spin, 0.0,
+        );
+        let floats = atomicLoad(&is_held[lane_of(node.root)]) == 0u;
+        advance(&rigid, holding.momentum, push, floats, step);
+        take_up(row, &rigid, &holding, of_tree, sum);
+        write(row, rigid, holding);
+    }
+}
+// ANCHOR_END: trees
 
 // ANCHOR: rebound
 // Adds what restitution gave.
@@ -110,7 +258,7 @@ fn pair_rebound(@builtin(global_invocation_id) id: vec3u) {
     var holding = holdings[row];
     holding.linear = vec3f(0.0);
     holding.angular = vec3f(0.0);
-    exchange(&rigid, &holding, gather(row, rigid.large));
+    exchange(&rigid, &holding, gather(row, rigid.large, select(0u, rigid.ends, JOINTS)));
     rigids[row].velocity = rigid.velocity;
     rigids[row].angular_velocity = rigid.angular_velocity;
     holdings[row].momentum = holding.momentum;

@@ -1,5 +1,6 @@
-// Where each body may be in the step, which slot of the grid it is in, and how many are in each. Large
-// bodies, those that touch nothing and those that are not finite are put behind all slots.
+// Where each body may be in the step, which slot of the grid it is in, and how many are in each. Behind
+// all slots are those that the grid doesn't hold: large bodies, fast ones, which all others look at
+// wherever they are, those that touch nothing, and those that are not finite.
 // Needs common/index, common/rotation, rows, common/grid, common/pairing.
 
 @group(0) @binding(0) var<uniform> grid: GridOf;
@@ -47,14 +48,31 @@ fn is_whole(rigid: Rigid) -> bool {
         && is_finite(rigid.attitude.w);
 }
 
+// The farthest that a body of the workgroup looks ahead, so that not every row asks for the same number
+// in memory.
+var<workgroup> ahead_here: atomic<u32>;
+
 // ANCHOR: cells
 @compute @workgroup_size(WORKGROUP)
-fn pair_cells(@builtin(global_invocation_id) id: vec3u) {
+fn pair_cells(
+    @builtin(global_invocation_id) id: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
     let row = row_index(id);
-    let halted = atomicLoad(&status[HALTED]);
-    if row >= grid.rows || halted != 0u {
-        return;
+    if lane == 0u {
+        atomicStore(&ahead_here, 0u);
     }
+    workgroupBarrier();
+    if row < grid.rows && atomicLoad(&status[HALTED]) == 0u {
+        bound_row(row);
+    }
+    workgroupBarrier();
+    if lane == 0u {
+        atomicMax(&status[AHEAD], atomicLoad(&ahead_here));
+    }
+}
+
+fn bound_row(row: u32) {
     let rigid = rigids[row];
     let is_static = rigid.inverse_mass == 0.0 && all(rigid.inverse_inertia == vec3f(0.0));
     let kind = row | (rigid.kind << KIND_SHIFT) | select(0u, STATIC, is_static);
@@ -64,21 +82,20 @@ fn pair_cells(@builtin(global_invocation_id) id: vec3u) {
     if !is_whole(rigid) {
         atomicAdd(&status[NOT_FINITE], 1u);
         atomicMin(&status[FIRST_NOT_FINITE], row);
-    } else if rigid.role != ASIDE_OF_ALL {
+    } else if rigid.role != ON_POINT {
         let far = ahead(rigid, is_static);
         let reach = half_widths(rigid) + far;
-        let cell = cell_of(grid, rigid.position);
-        let packed = vec3u(cell) & vec3u(1023u);
         bound.low = rigid.position - reach;
         bound.high = rigid.position + reach;
-        bound.cell = packed.x | (packed.y << 10u) | (packed.z << 20u);
         if rigid.role == LARGE {
-            bound.body |= OVERSIZED;
-        } else {
-            slot = slot_of(grid, cell);
-        }
-        if far > pairs_of.fast {
+            bound.flags = OVERSIZED;
+        } else if far > pairs_of.fast {
+            bound.flags = RUSHING;
             atomicAdd(&status[FAST], 1u);
+        } else {
+            slot = slot_of(grid, cell_of(grid, rigid.position));
+            // Numbers that aren't negative are in the order of their bits.
+            atomicMax(&ahead_here, bitcast<u32>(far));
         }
     }
     bounds[row] = bound;

@@ -1,6 +1,6 @@
-// Each body looks for those that it may touch in the step, in the 27 cells about its own and among the
-// large ones, and lists them in the order of their rows. Of two bodies one lists the pair: the one that
-// isn't large, else the one with the smaller row.
+// Each body looks for those that it may touch in the step, in the cells about its own and among those that
+// the grid doesn't hold, and lists them in the order of their rows. Of two bodies one lists the pair: the
+// one that isn't large, else the one with the smaller row.
 // Needs common/index, rows, common/grid, common/pairing.
 
 @group(0) @binding(0) var<uniform> grid: GridOf;
@@ -38,13 +38,6 @@ fn may_touch(a: Bound, b: Bound) -> bool {
     return !idle && all(a.low <= b.high) && all(b.low <= a.high);
 }
 
-// Whether b's cell is one of the 27 about a's own: two cells far apart may share a slot.
-fn is_around(a: u32, b: u32) -> bool {
-    let shifts = vec3u(0u, 10u, 20u);
-    let apart = (vec3u(b) >> shifts) - (vec3u(a) >> shifts) + vec3u(1u);
-    return all((apart & vec3u(1023u)) <= vec3u(2u));
-}
-
 fn is_ignored(search: ptr<function, Search>, other: u32) -> bool {
     for (var k = 0u; k < (*search).ignored_count; k++) {
         if ignored[(*search).ignored + k] == other {
@@ -63,8 +56,8 @@ fn add(search: ptr<function, Search>, other: Bound) {
     }
     let own = (*search).own.body;
     let slot = slot_of_pair(pairs_of, (own >> KIND_SHIFT) & 3u, (other.body >> KIND_SHIFT) & 3u);
-    let own_is_large = (own & OVERSIZED) != 0u;
-    let other_is_large = (other.body & OVERSIZED) != 0u;
+    let own_is_large = ((*search).own.flags & OVERSIZED) != 0u;
+    let other_is_large = (other.flags & OVERSIZED) != 0u;
     let lists = select(row > (*search).row, other_is_large, own_is_large != other_is_large);
     let entry = row | (slot << SLOT_SHIFT) | select(0u, LISTED, lists);
     var k = (*search).count;
@@ -85,21 +78,25 @@ fn add(search: ptr<function, Search>, other: Bound) {
 // ANCHOR_END: add
 
 // ANCHOR: look_around
-// Looks through the 27 cells about the body's own, nine lines of three. Three neighbours along x are
-// three slots in a row, unless the line wraps round.
-fn look_around(search: ptr<function, Search>, position: vec3f) {
-    let cell = cell_of(grid, position);
-    for (var line = 0; line < 9; line++) {
-        let middle = cell + vec3i(0, line % 3 - 1, line / 3 - 1);
-        let first = slot_of(grid, middle - vec3i(1, 0, 0));
-        let last = slot_of(grid, middle + vec3i(1, 0, 0));
-        if last == first + 2u {
-            look(search, starts[first], starts[last + 1u]);
-        } else {
-            let own = slot_of(grid, middle);
-            look(search, starts[first], starts[first + 1u]);
-            look(search, starts[own], starts[own + 1u]);
-            look(search, starts[last], starts[last + 1u]);
+// Looks through all cells in which a body may be whose box meets the own one: lines along x, whose slots
+// follow each other, except where a line wraps round. As far as one of two looks, so far does the other:
+// both find each other.
+fn look_around(search: ptr<function, Search>, ahead: f32) {
+    let own = (*search).own;
+    let others = vec3f(pairs_of.widest + ahead + grid.margin);
+    let slots = vec3u(grid.slots_x, grid.slots_y, grid.slots_z);
+    let low = cell_of(grid, own.low - others);
+    let high = cell_of(grid, own.high + others);
+    let cells = min(vec3u(high - low) + 1u, slots);
+    let first = wrap(low, slots).x;
+    let to_end = min(cells.x, slots.x - first);
+    for (var line = 0u; line < cells.y * cells.z; line++) {
+        let cell = low + vec3i(0, i32(line % cells.y), i32(line / cells.y));
+        let slot = slot_of(grid, cell);
+        look(search, starts[slot], starts[slot + to_end]);
+        if to_end < cells.x {
+            let line_start = slot - first;
+            look(search, starts[line_start], starts[line_start + cells.x - to_end]);
         }
     }
 }
@@ -108,23 +105,15 @@ fn look(search: ptr<function, Search>, first: u32, end: u32) {
     let own = (*search).own;
     for (var at = first; at < end; at++) {
         let other = sorted[at];
-        if may_touch(own, other) && is_around(own.cell, other.cell)
-            && (other.body & BODY) != (*search).row {
+        if may_touch(own, other) && (other.body & BODY) != (*search).row {
             add(search, other);
         }
     }
 }
 
-// Large bodies stand behind all slots.
-fn look_at_large(search: ptr<function, Search>) {
-    let own = (*search).own;
-    for (var at = starts[slot_of_lost(grid)]; at < grid.rows; at++) {
-        let other = sorted[at];
-        if (other.body & OVERSIZED) != 0u && may_touch(own, other)
-            && (other.body & BODY) != (*search).row {
-            add(search, other);
-        }
-    }
+// Those that the grid doesn't hold stand behind all slots.
+fn look_behind(search: ptr<function, Search>) {
+    look(search, starts[slot_of_lost(grid)], grid.rows);
 }
 // ANCHOR_END: look_around
 
@@ -142,13 +131,10 @@ fn pair_find(@builtin(global_invocation_id) id: vec3u) {
         search.ignored = rigids[search.row].ignored;
         search.ignored_count = rigids[search.row].ignored_count;
     }
-    // What is neither in the grid nor large touches nothing.
-    let is_lost = at >= starts[slot_of_lost(grid)];
-    if !is_lost || (search.own.body & OVERSIZED) != 0u {
-        look_at_large(&search);
-    }
-    if !is_lost {
-        look_around(&search, rigids[search.row].position);
+    // What touches nothing has a box that holds nothing. Large ones leave it to others to look into the grid.
+    look_behind(&search);
+    if search.own.flags != OVERSIZED && all(search.own.low <= search.own.high) {
+        look_around(&search, bitcast<f32>(atomicLoad(&status[AHEAD])));
     }
     if search.count > grid.room {
         atomicMax(&status[NEEDED], search.count);

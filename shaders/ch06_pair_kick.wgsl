@@ -12,9 +12,11 @@
 @group(0) @binding(6) var<storage, read_write> holdings: array<Holding>;
 @group(0) @binding(7) var<storage, read_write> befores: array<Before>;
 @group(0) @binding(8) var<storage, read> status: array<u32>;
+@group(0) @binding(9) var<storage, read> joined: array<Held>;
 
-// The plan: whether any pair bounces.
+// The plan: whether any pair bounces, and whether there are joints.
 override BOUNCES: bool = true;
+override JOINTS: bool = true;
 
 // ANCHOR: pole
 // The force, N, of one magnetic pole on another that is `between` away, m: s₁ s₂/(d² + ε²).
@@ -80,7 +82,11 @@ fn pair_kick(@builtin(global_invocation_id) id: vec3u) {
         befores[row] = Before(rigid.velocity, 0.0, rigid.angular_velocity, 0.0);
     }
     var holding = holdings[row];
-    kick(&rigid, &holding, pull, step);
+    var of_tree: Held;
+    if JOINTS && in_tree(rigid) {
+        of_tree = joined[rigid.seat];
+    }
+    kick(&rigid, &holding, of_tree, pull, step);
     rigids[row].velocity = rigid.velocity;
     rigids[row].angular_velocity = rigid.angular_velocity;
     holdings[row].momentum = holding.momentum;

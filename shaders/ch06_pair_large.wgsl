@@ -18,6 +18,7 @@ fn plus(one: Total, other: Total) -> Total {
     var sum = one;
     sum.linear += other.linear;
     sum.counts += other.counts;
+    sum.touches += other.touches;
     sum.angular += other.angular;
     sum.bounces += other.bounces;
     sum.stays_linear += other.stays_linear;
@@ -28,18 +29,19 @@ fn plus(one: Total, other: Total) -> Total {
 }
 
 // What a pair did to its body on this side.
-fn of_pair(pair: u32, side: u32) -> Total {
+fn of_row(row: u32, side: u32) -> Total {
     let sign = select(-1.0, 1.0, side == 1u);
-    let angular = presses[pair].turning[2u * side];
+    let angular = presses[row].turning[2u * side];
     var total: Total;
-    total.linear = sign * presses[pair].linear;
-    total.counts = presses[pair].counts;
+    total.linear = sign * presses[row].linear;
+    total.counts = presses[row].counts;
+    total.touches = presses[row].counts;
     total.angular = angular.xyz;
-    total.bounces = presses[pair].bounces;
+    total.bounces = presses[row].bounces;
     total.stays_linear = angular.w * total.linear;
     total.stays_angular = angular.w * angular.xyz;
-    total.push = sign * presses[pair].push;
-    total.push_angular = presses[pair].turning[2u * side + 1u].xyz;
+    total.push = sign * presses[row].push;
+    total.push_angular = presses[row].turning[2u * side + 1u].xyz;
     return total;
 }
 
@@ -59,7 +61,7 @@ fn pair_large(
         for (var at = first + lane; at < end; at += LANES) {
             let entry = large_pairs[at];
             if touches[entry >> 1u].points > 0u {
-                sum = plus(sum, of_pair(entry >> 1u, entry & 1u));
+                sum = plus(sum, of_row(pairs_of.before + (entry >> 1u), entry & 1u));
             }
         }
     }

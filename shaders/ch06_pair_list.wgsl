@@ -25,7 +25,7 @@ fn set_groups(place: u32, rows: u32) {
 }
 
 // ANCHOR: plan
-// How many workgroups each kind needs. A step whose pairs have no room isn't made: nothing of the state is
+// How many workgroups each kind needs, and what closes joints. A step whose pairs have no room isn't made: nothing of the state is
 // written until there is more.
 @compute @workgroup_size(1)
 fn pair_plan() {
@@ -47,7 +47,10 @@ fn pair_plan() {
         set_groups(slot + 1u, select(end - first, 0u, halted));
     }
     status[LIVE] = 0u;
+    status[AHEAD] = 0u;
     set_groups(0u, 0u);
+    set_groups(kinds + 1u, select(pairs_of.limits, 0u, halted));
+    set_groups(kinds + 2u, select(pairs_of.before, 0u, halted));
 }
 // ANCHOR_END: plan
 

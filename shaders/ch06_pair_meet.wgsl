@@ -16,6 +16,7 @@
 @group(0) @binding(7) var<storage, read_write> presses: array<Pressed>;
 @group(0) @binding(8) var<storage, read_write> live: array<vec4u>;
 @group(0) @binding(9) var<storage, read_write> status: array<atomic<u32>>;
+@group(0) @binding(10) var<uniform> pairs_of: PairsOf;
 
 // The kind of the pairs, and where it is listed.
 override PAIR_KIND: u32 = 0u;
@@ -115,7 +116,7 @@ fn meet_pair(pair: u32, row_a: u32, row_b: u32) -> u32 {
     var side_a = side_of(a);
     var side_b = side_of(b);
     let impulse = Impulse(memory.normal, memory.friction, memory.twist);
-    presses[pair] = pressed_of(press_again(&m, impulse, &side_a, &side_b, step.h), 0.0);
+    presses[pairs_of.before + pair] = pressed_of(press_again(&m, impulse, &side_a, &side_b, step.h), 0.0);
     return m.points;
 }
 

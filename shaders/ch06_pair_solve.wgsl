@@ -10,6 +10,7 @@
 @group(0) @binding(5) var<storage, read_write> presses: array<Pressed>;
 @group(0) @binding(6) var<storage, read> status: array<u32>;
 @group(0) @binding(7) var<storage, read> befores: array<Before>;
+@group(0) @binding(8) var<uniform> pairs_of: PairsOf;
 
 // The plan: whether any pair bounces, and whether it is the last substep.
 override BOUNCES: bool = true;
@@ -71,7 +72,7 @@ fn pair_solve(@builtin(global_invocation_id) id: vec3u) {
         memories[pair].approach = approach;
     }
     let hits = BOUNCES && LAST && bounces(approach, material, step);
-    presses[pair] = pressed_of(pressed, select(0.0, 1.0, hits));
+    presses[pairs_of.before + pair] = pressed_of(pressed, select(0.0, 1.0, hits));
 }
 // ANCHOR_END: solve
 
@@ -94,6 +95,6 @@ fn pair_restore(@builtin(global_invocation_id) id: vec3u) {
         var b = side_of(rigids[noted.z]);
         pressed = restore_pair(&m, material, approach, &a, &b, step);
     }
-    presses[pair] = pressed_of(pressed, 0.0);
+    presses[pairs_of.before + pair] = pressed_of(pressed, 0.0);
 }
 // ANCHOR_END: restore

@@ -19,13 +19,14 @@ fn is_static(rigid: Rigid) -> bool {
 }
 
 // ANCHOR: kick
-// Starts a substep: gravity, drag, other pulls, and what held the body in the last substep.
-fn kick(rigid: ptr<function, Rigid>, holding: ptr<function, Holding>, pull: Pull, step: Step) {
+// Starts a substep: gravity, drag, other pulls, and what held the body in the last substep: what touches
+// it, and the joints of its tree.
+fn kick(rigid: ptr<function, Rigid>, holding: ptr<function, Holding>, joined: Held, pull: Pull, step: Step) {
     let inverse_mass = (*rigid).inverse_mass;
     let pulled = select(vec3f(0.0), step.gravity, inverse_mass > 0.0) + pull.acceleration;
-    (*rigid).velocity += step.h * pulled + (*holding).linear * inverse_mass;
+    (*rigid).velocity += step.h * pulled + ((*holding).linear + joined.linear) * inverse_mass;
     (*rigid).velocity *= step.drag;
-    let turning = (*holding).angular + step.h * pull.torque;
+    let turning = (*holding).angular + joined.angular + step.h * pull.torque;
     (*rigid).angular_velocity += moved_by(*rigid, turning);
     (*rigid).angular_velocity *= step.drag;
     (*holding).momentum = ((*holding).momentum + turning) * step.drag;
@@ -73,7 +74,16 @@ fn add(sum: ptr<function, Total>, given: Given) {
     (*sum).push += given.sign * given.push.xyz;
     (*sum).push_angular += given.push_angular;
     (*sum).counts += given.linear.w;
+    (*sum).touches += given.linear.w;
     (*sum).bounces += given.push.w;
+}
+
+// Adds what a limit did to the sum: the body is its b where `sign` is 1.
+fn add_turned(sum: ptr<function, Total>, turned: Turned, sign: f32) {
+    (*sum).angular += sign * turned.turning;
+    (*sum).stays_angular += sign * turned.turning;
+    (*sum).push_angular += sign * turned.push;
+    (*sum).counts += turned.counts;
 }
 // ANCHOR_END: gather
 
@@ -88,6 +98,16 @@ fn exchange(rigid: ptr<function, Rigid>, holding: ptr<function, Holding>, sum: T
     (*holding).angular = sum.stays_angular;
 }
 // ANCHOR_END: exchange
+
+// The velocities that pushes are, for this body.
+fn push_of(rigid: Rigid, sum: Total) -> Push {
+    return Push(sum.push * rigid.inverse_mass, 0.0, moved_by(rigid, sum.push_angular), 0.0);
+}
+
+// L: angular momentum, of a body that isn't round.
+fn momentum_of(rigid: Rigid) -> vec3f {
+    return rotation_moment(rigid.attitude, 1.0 / rigid.inverse_inertia, rigid.angular_velocity);
+}
 
 // Whether the three moments are equal, as a ball's are.
 fn is_round(inertia: vec3f) -> bool {
@@ -114,13 +134,10 @@ fn turn(rigid: ptr<function, Rigid>, momentum: vec3f, push: vec3f, h: f32) {
 // ANCHOR: advance
 // A body moves. One that nothing touches falls as it should: by the mean of its speeds before and after
 // gravity's kick.
-fn advance(rigid: ptr<function, Rigid>, momentum: vec3f, sum: Total, step: Step) {
-    let alone = sum.counts == 0.0;
-    let early = select(vec3f(0.0), 0.5 * step.h * step.gravity, alone);
-    let push = sum.push * (*rigid).inverse_mass;
-    let push_spin = moved_by(*rigid, sum.push_angular);
-    (*rigid).position += step.h * ((*rigid).velocity + push - early);
-    turn(rigid, momentum, push_spin, step.h);
+fn advance(rigid: ptr<function, Rigid>, momentum: vec3f, push: Push, is_alone: bool, step: Step) {
+    let early = select(vec3f(0.0), 0.5 * step.h * step.gravity, is_alone);
+    (*rigid).position += step.h * ((*rigid).velocity + push.velocity - early);
+    turn(rigid, momentum, push.angular_velocity, step.h);
 }
 // ANCHOR_END: advance
 

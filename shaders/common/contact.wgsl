@@ -13,8 +13,8 @@ const BOUNCE_SWEEPS: u32 = 4u;
 // in the next. The speed is that at the surface: u² = c² + 2 a s, with c the speed of approach before the
 // substep's kick.
 fn note_impacts(
+    m: ptr<function, Manifold>,
     t: ptr<function, Touching>,
-    points: u32,
     approach: ptr<function, vec4f>,
     a: ptr<function, Side>,
     b: ptr<function, Side>,
@@ -23,10 +23,10 @@ fn note_impacts(
     var soon = false;
     let closing = closing_pull((*t).normal, a, b, step.gravity);
     for (var k = 0u; k < POINTS; k++) {
-        if k < points {
+        if k < (*m).points {
             let speed = parting(t, k, a, b);
             let distance = (*t).distance[k];
-            if distance + step.h * speed <= 0.0 {
+            if distance + step.h * speed <= 0.0 && !passes(m, t, k, a, b, step.h) {
                 let before = max(-parting_before(t, k, a, b), 0.0);
                 let squared = before * before + 2.0 * closing * max(distance, 0.0);
                 (*approach)[k] = min((*approach)[k], -sqrt(max(squared, 0.0)));
@@ -35,6 +35,36 @@ fn note_impacts(
         }
     }
     return soon;
+}
+
+// ANCHOR: passes
+// Whether two round bodies that come nearer pass each other within the substep: the nearest that their core
+// points come is farther than both radii.
+fn passes(
+    m: ptr<function, Manifold>,
+    t: ptr<function, Touching>,
+    k: u32,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    h: f32,
+) -> bool {
+    if (*m).turns != ROUND || (*t).distance[k] <= 0.0 {
+        return false;
+    }
+    let reach = (*m).round_a + (*m).round_b;
+    let apart = ((*t).distance[k] + reach) * (*t).normal;
+    let arm = (*t).arm_a[k];
+    let moves = h * sliding_at(arm, arm - (*t).apart, a, b);
+    let part = clamp(-dot(apart, moves) / max(dot(moves, moves), SMALL), 0.0, 1.0);
+    let nearest = apart + part * moves;
+    return dot(nearest, nearest) > reach * reach;
+}
+// ANCHOR_END: passes
+
+// Velocity of b away from a where both arms end, m/s.
+fn sliding_at(arm_a: vec3f, arm_b: vec3f, a: ptr<function, Side>, b: ptr<function, Side>) -> vec3f {
+    return (*b).velocity + cross((*b).angular_velocity, arm_b)
+        - (*a).velocity - cross((*a).angular_velocity, arm_a);
 }
 
 // The acceleration with which gravity brings a and b together along the normal, m/s².
@@ -46,8 +76,8 @@ fn closing_pull(normal: vec3f, a: ptr<function, Side>, b: ptr<function, Side>, g
 
 // Whether a point is active. If none is, the pair presses no more.
 fn activate(
+    m: ptr<function, Manifold>,
     t: ptr<function, Touching>,
-    points: u32,
     impulse: Impulse,
     a: ptr<function, Side>,
     b: ptr<function, Side>,
@@ -55,8 +85,9 @@ fn activate(
 ) -> bool {
     var is_active = false;
     for (var k = 0u; k < POINTS; k++) {
-        if k < points {
-            let comes = (*t).distance[k] + h * parting(t, k, a, b) <= 0.0;
+        if k < (*m).points {
+            let nears = (*t).distance[k] + h * parting(t, k, a, b) <= 0.0;
+            let comes = nears && !passes(m, t, k, a, b, h);
             is_active = is_active || impulse.normal[k] > 0.0 || (*t).distance[k] <= 0.0 || comes;
         }
     }
@@ -138,8 +169,7 @@ fn mend_friction(
     if points > 1u {
         mend_twist(t, impulse, material, pressed, a, b);
     }
-    let sliding = (*b).velocity + cross((*b).angular_velocity, (*t).mean_b)
-        - (*a).velocity - cross((*a).angular_velocity, (*t).mean_a);
+    let sliding = sliding_at((*t).mean_a, (*t).mean_b, a, b);
     let last = (*impulse).friction;
     let held = last - dot(last, normal) * normal - (sliding - dot(sliding, normal) * normal) / reply;
     (*impulse).friction = coulomb(held, pressed, material);
@@ -252,10 +282,10 @@ fn solve_pair(
 ) -> Press {
     let points = (*m).points;
     var t = touching(m, a, b);
-    let soon = note_impacts(&t, points, approach, a, b, step);
+    let soon = note_impacts(m, &t, approach, a, b, step);
     let pressed_before = any((*impulse).normal > vec4f(0.0));
     var pressed: Press;
-    if activate(&t, points, *impulse, a, b, step.h) {
+    if activate(m, &t, *impulse, a, b, step.h) {
         let reply = replies(&t, points, a, b);
         let sliding = sliding_reply(&t, a, b);
         let sweeps = select(1u, INNER_SWEEPS, points > 1u);

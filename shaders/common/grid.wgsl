@@ -25,6 +25,7 @@ fn slot_of(grid: GridOf, cell: vec3i) -> u32 {
     return (wrapped.z * slots.y + wrapped.y) * slots.x + wrapped.x;
 }
 
+// ANCHOR: is_finite
 // Whether a number is finite, by its bits: a compiler may assume that NaN doesn't occur.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -33,3 +34,4 @@ fn is_finite(x: f32) -> bool {
 fn all_finite(v: vec3f) -> bool {
     return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
 }
+// ANCHOR_END: is_finite

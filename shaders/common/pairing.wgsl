@@ -4,10 +4,13 @@
 // The bits of a row in `Bound.body` and `Partner.body`.
 const BODY: u32 = 0x07ffffffu;
 
-// In `Bound.body`, above them: the kind in two bits, whether the body is static, whether it is large.
+// In `Bound.body`, above them: the kind in two bits, and whether the body is static.
 const KIND_SHIFT: u32 = 27u;
 const STATIC: u32 = 0x20000000u;
-const OVERSIZED: u32 = 0x40000000u;
+
+// In `Bound.flags`: the body is too large, or too fast, for the grid.
+const OVERSIZED: u32 = 1u;
+const RUSHING: u32 = 2u;
 
 // In `Partner.body`, above them: where the pair is listed, in four bits, and whether by this body.
 const SLOT_SHIFT: u32 = 27u;
@@ -19,7 +22,7 @@ const NOBODY: u32 = 0xffffffffu;
 // What a body can be in the broad phase.
 const IN_GRID: u32 = 0u;
 const LARGE: u32 = 1u;
-const ASIDE_OF_ALL: u32 = 2u;
+const ON_POINT: u32 = 2u;
 
 // Where the pairs of two bodies of these kinds are listed: by `pair_kind`, without the kinds that the
 // scene can't have.
@@ -30,3 +33,11 @@ fn slot_of_pair(pairs_of: PairsOf, kind_a: u32, kind_b: u32) -> u32 {
     let slots = select(pairs_of.low_slots, pairs_of.high_slots, kind >= 8u);
     return (slots >> (4u * (kind & 7u))) & 15u;
 }
+
+// Whether a body hangs in a tree of joints.
+fn in_tree(rigid: Rigid) -> bool {
+    return rigid.role != ON_POINT && rigid.seat != NOBODY;
+}
+
+// In a body's list, in the place of twice a row and the body's side: the row is a limit's.
+const OF_LIMIT: u32 = 0x80000000u;

@@ -13,6 +13,8 @@ struct Touching {
     spread: f32,
     // s: how far apart the surfaces are at each point, m; negative inside.
     distance: vec4f,
+    // r: from a's centre to each point, m.
+    arm_a: array<vec3f, 4>,
     // r × n of each point, r from a's centre, m. An impulse λ n there turns a by −λ r × n.
     lever_a: array<vec3f, 4>,
     // The same, from b's centre.
@@ -21,6 +23,8 @@ struct Touching {
     mean_a: vec3f,
     // From b's centre, m.
     mean_b: vec3f,
+    // From a's centre to b's, m.
+    apart: vec3f,
 }
 
 // Where the points are for bodies where they are now: both arms of a point end at the same place, so
@@ -51,13 +55,14 @@ fn touching(m: ptr<function, Manifold>, a: ptr<function, Side>, b: ptr<function,
             t.lever_a[k] = cross(arm, t.normal);
             t.lever_b[k] = cross(arm - apart, t.normal);
             t.mean_a += arm * share;
-            core_a[k] = arm;
+            t.arm_a[k] = arm;
         }
     }
     t.mean_b = t.mean_a - apart;
+    t.apart = apart;
     for (var k = 0u; k < POINTS; k++) {
         if k < points && points > 1u {
-            t.spread += length(core_a[k] - t.mean_a) * share;
+            t.spread += length(t.arm_a[k] - t.mean_a) * share;
         }
     }
     return t;

@@ -4,6 +4,7 @@
 
 const HALF_PI: f32 = 1.57079632679;
 
+// ANCHOR: sine
 // x less whole quarter turns, in x, and their number, in y: ½π in three parts, so that nothing is lost.
 fn less_quarters(x: f32) -> vec2f {
     let quarters = round(x / HALF_PI);
@@ -20,6 +21,7 @@ fn sine_cosine_near(r: f32) -> vec2f {
         * r2 * r2 - 0.5 * r2 + 1.0;
     return vec2f(s, c);
 }
+// ANCHOR_END: sine
 
 // Sine and cosine of x, rad, in x and y.
 fn sine_cosine(x: f32) -> vec2f {

@@ -61,7 +61,7 @@ fn an_unknown_scene_is_answered_with_the_known_ones() {
 fn an_unknown_engine_is_answered_with_the_known_ones() {
     refuses(
         &["--headless", "--engine", "gears"],
-        &["`gears`", "objects"],
+        &["`gears`", "objects", "properties", "lanes", "compute"],
     );
 }
 

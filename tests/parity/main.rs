@@ -176,3 +176,43 @@ fn balls_handed_over_from_printed_to_corrected_stop_gaining_energy() {
         assert!(now <= before * 1.001, "{now} J of {before} J");
     }
 }
+
+#[test]
+fn balls_handed_from_engine_to_engine_stay_where_they_are_and_gain_no_energy() {
+    use ch00_scenes::measures::{Conserved, escaped};
+    let scene = Scene::open("balls", Some(60), None).expect("a built-in");
+    let settings = Settings::defaults();
+    let mut state = State::start_of(&scene);
+    let before = Conserved::of(&scene, &state).energy();
+    for entry in [
+        ch04_ragdolls::ENGINE,
+        ch06_compute::LANES,
+        ch06_compute::COMPUTE,
+        ch05_properties::ENGINE,
+        ch06_compute::COMPUTE,
+        ch06_compute::LANES,
+        ch04_ragdolls::ENGINE,
+    ] {
+        let mut engine = (entry.load)(&scene, &settings).expect("the scene is supported");
+        engine.write_state(&state, scene.dt as f32);
+        let taken = state_after(engine.as_mut(), &scene, 0);
+        for i in 0..state.len() {
+            let apart = taken.position[i].distance(state.position[i]);
+            let faster = taken.linear_velocity[i].distance(state.linear_velocity[i]);
+            // Coordinates of some metres in f32; v is stored as p* by the first two engines, at 60 Hz.
+            assert!(
+                apart < 1e-6 && faster < 1e-4,
+                "{}, body {i}: {apart} m, {faster} m/s",
+                entry.name
+            );
+        }
+        state = state_after(engine.as_mut(), &scene, 100);
+        let now = Conserved::of(&scene, &state).energy();
+        assert!(
+            now <= before * 1.001,
+            "{}: {now} J of {before} J",
+            entry.name
+        );
+        assert_eq!(escaped(&scene, &state), Some(0), "{}", entry.name);
+    }
+}

@@ -14,8 +14,8 @@ const EACH: usize = 12;
 /// How often each way is gone, of which the first isn't counted.
 const TIMES: usize = 6;
 
-// ANCHOR: shader
 const SHADER: &str = "// Needs common/index.
+// ANCHOR: shader
 @group(0) @binding(0) var<storage, read> numbers: array<f32>;
 // Where each number belongs, and where the numbers of each place are.
 @group(0) @binding(1) var<storage, read> places: array<u32>;
@@ -46,8 +46,8 @@ fn add(@builtin(global_invocation_id) id: vec3u) {
         seen = found.old_value;
     }
 }
-";
 // ANCHOR_END: shader
+";
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let places: usize = std::env::args()

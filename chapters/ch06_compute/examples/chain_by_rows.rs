@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-fn is_joint(node: &&Node) -> bool {
+fn is_joint(node: &Node) -> bool {
     node.parent_body != NONE && node.kind != ch06_compute::rows::EMPTY
 }
 

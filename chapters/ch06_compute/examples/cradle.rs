@@ -27,9 +27,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         let mut state = State::default();
         lanes.bodies.read(&mut state);
-        let speeds = state.linear_velocity[BALLS]
-            .iter()
-            .map(|v| format!("{:8.3}", v.x));
+        // To a thousandth, and nothing as 0, not as −0.
+        let thousandths = |x: f64| (1e3 * x).round() / 1e3 + 0.0;
+        let speeds = state.linear_velocity[BALLS].iter();
+        let speeds = speeds.map(|v| format!("{:8.3}", thousandths(v.x)));
         let energy = Conserved::of(&scene, &state).kinetic_energy;
         println!("{rate:>14}{}{energy:>21.3}", speeds.collect::<String>());
     }

@@ -108,7 +108,13 @@ fn tell(what: &str, values: &[Vec4], found: &[Vec4], exact: impl Fn(&Vec4) -> f6
 // ANCHOR: not_numbers
 /// One value in a hundred is no number. Who finds them?
 fn not_numbers(gpu: &Gpu) -> Result<(), StreamError> {
-    let value = |n: usize| if n % 100 == 0 { f32::NAN } else { n as f32 };
+    let value = |n: usize| {
+        if n.is_multiple_of(100) {
+            f32::NAN
+        } else {
+            n as f32
+        }
+    };
     let values: Vec<Vec4> = (0..VALUES).map(|n| Vec4::splat(value(n))).collect();
     let by_comparing = "select(0.0, 1.0, x.x != x.x)";
     let by_bits = "select(1.0, 0.0, is_finite(x.x))";

@@ -40,7 +40,8 @@ fn millimetres(speed: f32) -> String {
 }
 
 fn heads() -> String {
-    (1..=PASSES).map(|pass| format!("{pass:>9}")).collect()
+    let heads: Vec<_> = (1..=PASSES).map(|pass| format!("{pass:>9}")).collect();
+    heads.concat()
 }
 
 // ANCHOR: passes

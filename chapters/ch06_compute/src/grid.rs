@@ -42,7 +42,7 @@ impl Grid {
     #[must_use]
     pub fn slot_of(&self, cell: Cell) -> usize {
         let [x, y, z] = self.slots;
-        let wrap = |c: i32, slots: u32| c.rem_euclid(slots as i32) as u32;
+        let wrap = |c: i32, slots: u32| c.rem_euclid(slots.cast_signed()) as u32;
         ((wrap(cell[2], z) * y + wrap(cell[1], y)) * x + wrap(cell[0], x)) as usize
     }
 

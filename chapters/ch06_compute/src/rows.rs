@@ -5,6 +5,8 @@
 //! are built with is generated from it, and a test compares every offset with the one that naga
 //! computes.
 
+use std::fmt::Write as _;
+
 mod balls;
 mod bodies;
 mod joints;
@@ -73,8 +75,10 @@ pub fn wgsl() -> String {
 
 /// The places of the numbers in `status`, as WGSL.
 fn status() -> String {
-    let places = STATUS.iter().chain(&PAIR_STATUS).enumerate();
-    places
-        .map(|(place, (name, about))| format!("// {about}\nconst {name}: u32 = {place}u;\n"))
-        .collect()
+    let mut text = String::new();
+    for (place, (name, about)) in STATUS.iter().chain(&PAIR_STATUS).enumerate() {
+        // Writing to a string can't fail.
+        let _ = writeln!(text, "// {about}\nconst {name}: u32 = {place}u;");
+    }
+    text
 }

@@ -11,6 +11,7 @@ use std::time::Instant;
 use ch00_shell::cli::{Args, examples};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use crate::kept::folder_of_book;
 use crate::product::{Known, known};
 use crate::{CHAPTER, FindingsError};
 
@@ -138,19 +139,6 @@ fn chosen(names: &[String]) -> Result<Vec<Known>, FindingsError> {
         })
     };
     names.iter().map(find).collect()
-}
-
-/// `book/src/charts` of the checkout that the program was built in; where that is gone, of the
-/// current directory.
-fn folder_of_book() -> PathBuf {
-    let chapter = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let root = chapter.ancestors().nth(2).unwrap_or(chapter);
-    let root = if root.join("book/src").is_dir() {
-        root
-    } else {
-        Path::new(".")
-    };
-    root.join("book/src/charts")
 }
 
 /// Makes the folder and a file in it, which goes again: before measuring for minutes.

@@ -54,6 +54,16 @@ pub enum FindingsError {
         /// What the library says.
         why: String,
     },
+    /// A table that is kept in the book can't be read.
+    #[error("{}: {why}; the table is written by `{command}`", path.display())]
+    Kept {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: String,
+        /// What writes it.
+        command: &'static str,
+    },
     /// The report's table can't be read.
     #[error("report_tables.csv, line {line}: `{text}` is no row of the report's tables")]
     Report {

@@ -1,6 +1,8 @@
 //! Chapter 7, findings: the program that has every engine and every scene of the book, and the
 //! laboratory that measures them: what the charts show, and how they are drawn.
 
+pub mod architecture_method_hardware;
+pub mod balls_on_the_gpu;
 pub mod bounce;
 pub mod broad_phase;
 pub mod chain;
@@ -12,6 +14,7 @@ pub mod errata;
 mod error;
 pub mod friction;
 pub mod integrate;
+mod kept;
 mod lab;
 pub mod left_out;
 pub mod limbs;
@@ -19,6 +22,7 @@ pub mod mass_ratio;
 pub mod product;
 pub mod ragdoll_run;
 pub mod rates;
+pub mod round_trip;
 pub mod stack;
 pub mod sweeps;
 mod table;
@@ -36,7 +40,12 @@ pub const CHAPTER: Chapter = Chapter {
     name: "ch07_findings",
     title: "From Objects to Shaders",
     about: "Every engine and every scene of the book, and the charts of what was measured.",
-    engines: &[ch04_ragdolls::ENGINE, ch05_properties::ENGINE],
+    engines: &[
+        ch04_ragdolls::ENGINE,
+        ch05_properties::ENGINE,
+        ch06_compute::LANES,
+        ch06_compute::COMPUTE,
+    ],
     default_scene: "balls",
     scenes: ch00_scenes::builtin::NAMES,
 };

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use crate::chart::{Chart, Picture};
 use crate::errata::ERRATA;
 use crate::{
-    FindingsError, bounce, broad_phase, chain, columns, draw, friction, integrate, left_out, limbs,
-    mass_ratio, ragdoll_run, stack, sweeps, table1, table2, tunnelling,
+    FindingsError, architecture_method_hardware, balls_on_the_gpu, bounce, broad_phase, chain,
+    columns, draw, friction, integrate, left_out, limbs, mass_ratio, ragdoll_run, round_trip,
+    stack, sweeps, table1, table2, tunnelling,
 };
 
 /// Where a measurement tells how far it is.
@@ -45,7 +46,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 15] = [
+const MEASURED: [(&str, &str, Measure); 18] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -120,6 +121,21 @@ const MEASURED: [(&str, &str, Measure); 15] = [
         "left_out",
         "what each part that a plan leaves out would cost",
         left_out::product,
+    ),
+    (
+        "architecture_method_hardware",
+        "time of a step of a pile: what each of the three brings, on this machine's device",
+        architecture_method_hardware::product,
+    ),
+    (
+        "round_trip",
+        "a round trip to the GPU in every frame, from tables kept in the book",
+        round_trip::product,
+    ),
+    (
+        "balls_on_the_gpu",
+        "up to a million balls on the GPU and before it, from a table kept in the book",
+        balls_on_the_gpu::product,
     ),
 ];
 

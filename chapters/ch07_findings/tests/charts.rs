@@ -9,7 +9,7 @@ use ch07_findings::chart::{Axis, Chart, Series, Style};
 use ch07_findings::draw::{csv, svg};
 use ch07_findings::errata::ERRATA;
 use ch07_findings::product::known;
-use ch07_findings::{friction, limbs, stack, tunnelling};
+use ch07_findings::{architecture_method_hardware, friction, limbs, stack, tunnelling};
 
 /// Runs the program's `chart` command.
 fn chart(arguments: &[&str]) -> Output {
@@ -141,6 +141,76 @@ fn a_chart_of_several_pictures_writes_them_all_and_one_table() {
         let file = folder.path().join(format!("{name}.svg"));
         assert_well_formed(&std::fs::read_to_string(file).expect("it is there"));
     }
+}
+
+#[test]
+fn charts_of_a_machine_that_few_have_name_it_and_measure_nothing() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let names = ["round_trip", "balls_on_the_gpu"];
+    let ran = chart(&[names[0], names[1], "--out", words(folder.path())]);
+    assert!(
+        ran.status.success(),
+        "{}",
+        String::from_utf8_lossy(&ran.stderr)
+    );
+    for picture in [
+        "round_trip",
+        "round_trip_boxes",
+        "round_trip_shares",
+        "balls_on_the_gpu",
+        "balls_on_the_gpu_depths",
+    ] {
+        let file = folder.path().join(format!("{picture}.svg"));
+        let drawn = std::fs::read_to_string(file).expect("it is there");
+        assert_well_formed(&drawn);
+        assert!(drawn.contains("NVIDIA H200"), "{picture}");
+    }
+    for name in names {
+        let page = folder.path().join(format!("{name}.txt"));
+        let page = std::fs::read_to_string(page).expect("it is there");
+        assert!(
+            page.contains("NVIDIA H200") && page.contains("--csv FILE"),
+            "{page}"
+        );
+    }
+}
+
+#[test]
+fn the_files_of_the_book_are_what_their_kept_tables_say() {
+    let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/charts");
+    let folder = tempfile::tempdir().expect("there is room");
+    let ran = chart(&[
+        "round_trip",
+        "balls_on_the_gpu",
+        "--out",
+        words(folder.path()),
+    ]);
+    assert!(ran.status.success());
+    for file in std::fs::read_dir(folder.path()).expect("it is ours") {
+        let file = file.expect("it is ours");
+        let in_book = book.join(file.file_name());
+        let text = |path: &Path| std::fs::read_to_string(path).unwrap_or_default();
+        assert!(
+            text(&file.path()) == text(&in_book),
+            "{} is out of date: `cargo chart round_trip balls_on_the_gpu`",
+            in_book.display()
+        );
+    }
+}
+
+#[test]
+fn what_the_three_bring_is_measured_on_this_machines_device() {
+    let sample = architecture_method_hardware::measured(100, 1, 100).expect("all engines can");
+    let [objects, properties, lanes, compute] = &sample.runs[..] else {
+        panic!("four engines: {sample:?}");
+    };
+    assert_eq!(
+        (objects.p99, objects.deepest),
+        (properties.p99, properties.deepest)
+    );
+    assert_eq!(lanes.device, objects.device);
+    assert_ne!(compute.device, lanes.device);
+    assert!(sample.runs.iter().all(|run| run.escaped == 0), "{sample:?}");
 }
 
 #[test]

@@ -4,6 +4,8 @@
 use ch00_scenes::{Counters, Scene, State};
 
 use super::balls::Balls;
+use super::error::ComputeError;
+use super::pairs::Pairs;
 use crate::bodies::Bodies;
 use crate::rows::Mouse;
 use crate::rules::Rules;
@@ -14,16 +16,20 @@ use crate::stream::{Columns, Gpu, StreamError, Timer};
 pub enum Driver {
     /// Balls among static boxes and balls.
     Balls(Box<Balls>),
+    /// Bodies of any shape, with joints and forces.
+    Pairs(Box<Pairs>),
 }
 
 impl Driver {
     /// Loads a scene in the way that it allows.
     ///
     /// # Errors
-    /// What the device can lack.
-    pub fn of(gpu: &Gpu, scene: &Scene, rules: Rules) -> Result<Self, StreamError> {
-        let _ = Balls::why_not(scene, &Bodies::of(scene));
-        Ok(Self::Balls(Box::new(Balls::of(gpu, scene, rules)?)))
+    /// What the device can lack, and what the scene has too much of.
+    pub fn of(gpu: &Gpu, scene: &Scene, rules: Rules) -> Result<Self, ComputeError> {
+        if Balls::why_not(scene, &Bodies::of(scene)).is_none() {
+            return Ok(Self::Balls(Box::new(Balls::of(gpu, scene, rules)?)));
+        }
+        Ok(Self::Pairs(Box::new(Pairs::of(gpu, scene, rules)?)))
     }
 }
 
@@ -32,6 +38,7 @@ macro_rules! either {
     ($driver:expr, $one:ident => $call:expr) => {
         match $driver {
             Driver::Balls($one) => $call,
+            Driver::Pairs($one) => $call,
         }
     };
 }

@@ -9,6 +9,7 @@ use ch00_scenes::{
 
 use super::device::{Device, open};
 use super::driver::Driver;
+use super::error::ComputeError;
 use super::late::Late;
 use crate::lanes::unsupported;
 use crate::rows::Mouse;
@@ -52,7 +53,7 @@ fn load(scene: &Scene, settings: &Settings) -> Result<Box<dyn Engine>, LoadError
 }
 
 /// What a device lacks, as a reason why a scene can't be loaded.
-fn lacks(scene: &Scene, error: &StreamError) -> LoadError {
+fn lacks(scene: &Scene, error: &ComputeError) -> LoadError {
     LoadError::Unsupported {
         engine: ENGINE.name,
         chapter: ENGINE.chapter,
@@ -72,11 +73,11 @@ impl ComputeEngine {
         ENGINE.method(settings)?;
         let rules = Rules::of(scene, settings)?;
         Rules::check_resolution(scene).map_err(|why| unsupported(ENGINE.name, scene, why))?;
-        let device = open().map_err(|error| lacks(scene, &error))?;
+        let device = open().map_err(|error| lacks(scene, &error.into()))?;
         Self::load_on(device, scene, rules).map_err(|error| lacks(scene, &error))
     }
 
-    fn load_on(device: Device, scene: &Scene, rules: Rules) -> Result<Self, StreamError> {
+    fn load_on(device: Device, scene: &Scene, rules: Rules) -> Result<Self, ComputeError> {
         let mut driver = Driver::of(&device.gpu, scene, rules)?;
         if device.is_windows {
             driver.draw()?;

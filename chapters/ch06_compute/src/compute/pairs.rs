@@ -10,13 +10,14 @@ pub mod plan;
 use ch00_scenes::{Counters, Scene, State};
 
 pub use columns::Room;
-use columns::{allocate, fits, grow, no_mouse, pair_counts, upload, write_momenta};
+use columns::{allocate, fits, grow, no_mouse, pair_counts, upload, upload_joints, write_momenta};
 use kernels::{PairKernels, Sizes};
 use plan::{Plan, grid_of};
 
 use super::error::ComputeError;
 use crate::bodies::Bodies;
 use crate::lanes::forces::Forces;
+use crate::own_row::tree::Trees;
 use crate::rows::{Drawn, GridOf, Mouse, PAIR_STATUS_LEN, PairsOf, Rigid, Seen, status_place};
 use crate::rules::Rules;
 use crate::stream::{Columns, Gpu, Passes, StreamError, Timer};
@@ -39,6 +40,8 @@ pub struct Pairs {
     waiting: Vec<(f32, u32)>,
     /// The bodies at the start, with their momenta about what they turn about.
     bodies: Bodies,
+    /// Its joints.
+    trees: Trees,
     draws: bool,
     /// What the status said when it came down last.
     status: [u32; PAIR_STATUS_LEN],
@@ -68,12 +71,14 @@ impl Pairs {
         let mut bodies = Bodies::of(scene);
         let forces = Forces::of(scene, &mut bodies)
             .map_err(|(what, body)| ComputeError::Unsupported { what, body })?;
-        let plan = Plan::of(scene, &bodies, &forces);
+        let trees = Trees::of(scene);
+        trees.fits()?;
+        let plan = Plan::of(scene, &bodies, &forces, &trees);
         let grid = grid_of(&bodies, &plan, room.partners);
         let pairs_of = plan.pairs_of(room.pairs, room.large_pairs);
         let mut columns = Columns::new(gpu);
-        allocate(&mut columns, &grid, &pairs_of, room, plan.bounces)?;
-        upload(&mut columns, scene, &bodies, &forces, &plan)?;
+        allocate(&mut columns, &grid, &pairs_of, room, &plan)?;
+        upload(&mut columns, scene, &bodies, &forces, &trees, &plan)?;
         Ok(Self {
             kernels: PairKernels::of(gpu, &plan)?,
             columns,
@@ -86,6 +91,7 @@ impl Pairs {
             asked: 0,
             waiting: Vec::new(),
             bodies,
+            trees,
             draws: false,
             status: [0; PAIR_STATUS_LEN],
         })
@@ -137,6 +143,7 @@ impl Pairs {
             starts: self.grid.starts as usize,
             pair_counts: pair_counts(&self.grid, &self.pairs_of),
             larges: self.plan.larges.len(),
+            nodes: self.trees.nodes.len(),
             substeps: self.rules.substeps,
             draws: self.draws,
         }
@@ -193,7 +200,7 @@ impl Pairs {
             pairs: more(self.room.pairs, "PAIRS_NEEDED"),
             large_pairs: more(self.room.large_pairs, "LARGE_NEEDED"),
         };
-        grow(&mut self.columns, &self.grid, self.room)?;
+        grow(&mut self.columns, &self.grid, &self.plan, self.room)?;
         self.grid.room = self.room.partners as u32;
         self.pairs_of.room = self.room.pairs as u32;
         self.pairs_of.large_room = self.room.large_pairs as u32;
@@ -282,6 +289,7 @@ impl Pairs {
         }
         self.columns.write("rigids", &rigids)?;
         write_momenta(&mut self.columns, &self.bodies)?;
+        upload_joints(&mut self.columns, self.bodies.rows(), &self.trees)?;
         for name in ["partners_a", "partners_b"] {
             self.columns.clear(name)?;
         }

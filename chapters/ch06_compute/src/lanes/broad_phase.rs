@@ -228,7 +228,8 @@ fn around(
     let widths: [i64; 3] =
         std::array::from_fn(|axis| i64::from(high[axis]) - i64::from(low[axis]) + 1);
     let fits = (0..3).all(|axis| widths[axis] <= i64::from(grid.slots[axis]));
-    if !fits || widths.iter().product::<i64>() > broad.order.len() as i64 {
+    let cells: i64 = widths.iter().product();
+    if !fits || usize::try_from(cells).is_ok_and(|cells| cells > broad.order.len()) {
         broad.order.iter().copied().for_each(visit);
         return;
     }

@@ -290,6 +290,7 @@ fn is_impact(pressed: &Press, a: &Side, b: &Side, step: &Step) -> bool {
 // ANCHOR_END: is_impact
 
 // ANCHOR: note_impacts
+// ANCHOR: impact_speed
 /// Notes how fast the points come that will touch in this substep; says whether one touches or may
 /// touch in the next.
 ///
@@ -316,6 +317,7 @@ fn note_impacts(
     }
     soon
 }
+// ANCHOR_END: impact_speed
 
 // ANCHOR: passes
 /// Whether two round bodies that come nearer pass each other within the substep: the nearest that their core
@@ -442,6 +444,7 @@ fn mend_friction(
     b.take(change, t.mean_b.cross(change));
 }
 
+// ANCHOR: coulomb
 /// What friction gives of what it would take to hold.
 fn coulomb(held: Vec3, pressed: f32, material: &Material) -> Vec3 {
     let size = held.length();
@@ -450,6 +453,7 @@ fn coulomb(held: Vec3, pressed: f32, material: &Material) -> Vec3 {
     }
     held * (material.friction * pressed / size.max(SMALL))
 }
+// ANCHOR_END: coulomb
 
 /// Friction against turning about the normal, with the points' spread as its arm.
 fn mend_twist(

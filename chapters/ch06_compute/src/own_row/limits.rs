@@ -3,7 +3,10 @@
 //!
 //! A limit reads both bodies and writes its own turning impulses, from the same velocities as the contacts
 //! do and with the same shares of the masses. Each of its up to three turns has a unit axis u, a rate
-//! u·(ω_b − ω_a) and a room C that is left until the bound. [own_row::contact] says why shares.
+//! u·(ω_b − ω_a) and a room C that is left until the bound. [`super::contact`] says why shares.
+
+#[cfg(test)]
+mod tests;
 
 use std::f32::consts::PI;
 
@@ -27,6 +30,16 @@ pub const TURN_SHARE: f32 = 0.2;
 
 /// The fastest push back, rad/s.
 pub const FASTEST_TURN: f32 = 4.0;
+
+/// What is beyond a bound by less than this, rad, is left to the push. Beyond it the impulse turns back
+/// too, since what lies on a limb may be heavier than a push can lift.
+pub const TURN_SLOP: f32 = 0.01;
+
+/// The share of it that the impulse turns back in a substep.
+pub const RETURN_SHARE: f32 = 0.05;
+
+/// The fastest that it does, rad/s: slow enough that no one sees it.
+pub const GENTLE_TURN: f32 = 0.25;
 
 /// Below this an axis is none.
 const SMALL: f32 = 1e-6;
@@ -205,9 +218,11 @@ fn solve_turn(
     let reply = turn.axis.dot(pinned.spin_of(a, b, turn.axis)).max(SMALL);
     let rate = turn.axis.dot(b.angular_velocity - a.angular_velocity);
     let wanted = if turn.is_locked {
-        *impulse - rate / reply
+        *impulse - (rate - returning(-turn.room, h)) / reply
     } else {
-        let off = turn.side * rate + turn.room.max(0.0) / h;
+        let slack = turn.room.max(0.0) / h;
+        let back = returning((-turn.room - TURN_SLOP).max(0.0), h);
+        let off = turn.side * rate + slack - back;
         turn.side * (turn.side * *impulse - off / reply).max(0.0)
     };
     let change = (wanted - *impulse) * turn.axis;
@@ -216,6 +231,11 @@ fn solve_turn(
     pinned.turn(a, b, change);
     let pushed = turn.axis.dot(pinned.spin_of(a, b, turned.push));
     turned.push += turn.axis * pushed_back(turn, pushed, reply, h);
+}
+
+/// How fast the impulse turns back what is beyond, rad/s.
+fn returning(beyond: f32, h: f32) -> f32 {
+    (beyond * (RETURN_SHARE / h)).clamp(-GENTLE_TURN, GENTLE_TURN)
 }
 
 /// The turning push that turns back what is beyond a bound, N m s, where others push at this rate.

@@ -70,8 +70,8 @@ rows! {
         levels: u32, "", "";
         /// Index in the scene of the joint, or of the first of those that it stands for.
         joint: u32, "", "";
-        /// Unused.
-        spare_1: u32, "", "";
+        /// Node of the root of its tree, where it is on the device.
+        root: u32, "", "";
         /// Unused.
         spare_2: u32, "", "";
     }

@@ -29,7 +29,7 @@ rows! {
         kind: u32, "", "";
         /// Ball: radius, 0, 0. Box: half extents. Capsule and cylinder: radius, half height, 0.
         size: Vec3, "s", "m";
-        /// 0 in the grid, 1 too large for it, 2 touches nothing.
+        /// 0 in the grid, 1 too large for it, 2 on a fixed point: touches nothing.
         role: u32, "", "";
         /// Coefficient of restitution; a pair has the mean of the two.
         restitution: f32, "e", "";
@@ -43,22 +43,22 @@ rows! {
         ignored: u32, "", "";
         /// How many these are.
         ignored_count: u32, "", "";
-        /// Its row among those that hang on a fixed point; 4294967295 if it is none.
-        pivot: u32, "", "";
-        /// Unused.
-        spare: u32, "", "";
+        /// How many limits and loops end at it.
+        ends: u32, "", "";
+        /// Its row among the nodes of trees, or among the bodies on a fixed point; 4294967295 for none.
+        seat: u32, "", "";
     }
 
     /// Where a body may be in the step.
     pub struct Bound {
         /// The lower corner.
         low: Vec3, "", "m";
-        /// Its row, its kind, whether it is static and whether it is large.
+        /// Its row, its kind, and whether it is static.
         body: u32, "", "";
         /// The upper corner.
         high: Vec3, "", "m";
-        /// Its cell: ten bits of each coordinate.
-        cell: u32, "", "";
+        /// Whether it is too large or too fast for the grid.
+        flags: u32, "", "";
     }
 
     /// In a body's list of those that it may touch, in the order of their rows: one of them, and the
@@ -137,8 +137,8 @@ rows! {
         bounces: f32, "", "";
         /// Those impulses with which the next substep begins.
         stays_linear: Vec3, "P", "N s";
-        /// Unused.
-        spare_1: f32, "", "";
+        /// How many pairs and loops count.
+        touches: f32, "", "";
         /// Those turning impulses.
         stays_angular: Vec3, "T", "N m s";
         /// Unused.
@@ -195,10 +195,18 @@ rows! {
         low_slots: u32, "", "";
         /// The same for kinds 8 and 9.
         high_slots: u32, "", "";
-        /// A body that looks farther ahead than this is fast.
+        /// A body that looks farther ahead than this is too fast for the grid.
         fast: f32, "", "m";
         /// How many poles there are.
         poles: u32, "", "";
+        /// How many rows of joints that close loops stand before those of pairs.
+        before: u32, "", "";
+        /// How many limits there are.
+        limits: u32, "", "";
+        /// The farthest that a body in the grid reaches.
+        widest: f32, "", "m";
+        /// Unused.
+        spare: u32, "", "";
     }
 
     /// How many counts a scan makes starts of.
@@ -255,7 +263,7 @@ rows! {
 }
 
 /// What the kernels for pairs say of how it goes, behind [`STATUS`].
-pub const PAIR_STATUS: [(&str, &str); 5] = [
+pub const PAIR_STATUS: [(&str, &str); 6] = [
     (
         "HALTED",
         "1 where a step was not made, since something had no room.",
@@ -266,6 +274,10 @@ pub const PAIR_STATUS: [(&str, &str); 5] = [
         "For how many pairs of large bodies that move there must be room.",
     ),
     ("LIVE", "How many pairs touch or soon may."),
+    (
+        "AHEAD",
+        "How far the fastest body of the grid looks ahead in this step, m: the bits of the number.",
+    ),
     (
         "KIND_FIRST",
         "Here and behind: where the pairs of each kind begin; one more at the end.",

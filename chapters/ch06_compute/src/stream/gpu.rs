@@ -1,9 +1,11 @@
 //! The device that computes: found, opened, watched.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use super::StreamError;
+use super::kernel::Compiled;
 
 /// The first error that a device reported.
 pub type Failure = Arc<Mutex<Option<String>>>;
@@ -26,6 +28,8 @@ pub struct Gpu {
     /// What it allows.
     pub limits: wgpu::Limits,
     failure: Failure,
+    /// Kernels that were compiled, by entry point, constants and text.
+    compiled: Arc<Mutex<BTreeMap<String, Compiled>>>,
 }
 
 impl Gpu {
@@ -99,7 +103,18 @@ impl Gpu {
             device,
             queue,
             failure,
+            compiled: Arc::default(),
         }
+    }
+
+    /// A kernel that was compiled before.
+    pub(super) fn compiled(&self, key: &str) -> Option<Compiled> {
+        lock(&self.compiled).get(key).cloned()
+    }
+
+    /// Keeps a kernel for whoever needs it again.
+    pub(super) fn keep_compiled(&self, key: String, compiled: Compiled) {
+        lock(&self.compiled).insert(key, compiled);
     }
 
     /// Says whether all went well until now.
@@ -203,7 +218,7 @@ fn watch(device: &wgpu::Device) -> Failure {
     failure
 }
 
-/// A text is whole even if a thread panicked while it held the lock.
-fn lock(failure: &Failure) -> MutexGuard<'_, Option<String>> {
-    failure.lock().unwrap_or_else(PoisonError::into_inner)
+/// What is kept is whole even if a thread panicked while it held the lock.
+fn lock<T>(kept: &Mutex<T>) -> MutexGuard<'_, T> {
+    kept.lock().unwrap_or_else(PoisonError::into_inner)
 }

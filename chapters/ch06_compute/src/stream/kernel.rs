@@ -13,13 +13,19 @@ const MOST_GROUPS: usize = 8;
 #[derive(Debug)]
 pub struct Kernel {
     name: &'static str,
+    compiled: Compiled,
+    /// The columns' names, a name a binding.
+    columns: Vec<String>,
+    groups: Mutex<Vec<Group>>,
+}
+
+/// What compiling a text gave. The device keeps it: whoever loads another scene needs it again.
+#[derive(Clone, Debug)]
+pub(super) struct Compiled {
     pipeline: wgpu::ComputePipeline,
     layout: wgpu::BindGroupLayout,
     workgroup: u32,
     bindings: Arc<[Binding]>,
-    /// The columns' names, a name a binding.
-    columns: Vec<String>,
-    groups: Mutex<Vec<Group>>,
 }
 
 /// Buffers that the kernel was bound to.
@@ -45,6 +51,10 @@ impl Kernel {
         entry: &str,
         constants: &[(&str, f64)],
     ) -> Result<Self, StreamError> {
+        let key = format!("{entry} {constants:?}\n{source}");
+        if let Some(compiled) = gpu.compiled(&key) {
+            return Ok(Self::of(name, compiled));
+        }
         let failed = |why: String| StreamError::Kernel {
             kernel: name.to_owned(),
             why,
@@ -57,17 +67,26 @@ impl Kernel {
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(failed(error.to_string()));
         }
-        Ok(Self {
-            name,
+        let compiled = Compiled {
             pipeline,
             layout,
             workgroup: found.workgroup,
-            columns: found.bindings.iter().map(|b| b.name.clone()).collect(),
             bindings: found.bindings.into(),
-            groups: Mutex::default(),
-        })
+        };
+        gpu.keep_compiled(key, compiled.clone());
+        Ok(Self::of(name, compiled))
     }
     // ANCHOR_END: new
+
+    /// Bound to the columns that have its bindings' names.
+    fn of(name: &'static str, compiled: Compiled) -> Self {
+        Self {
+            name,
+            columns: compiled.bindings.iter().map(|b| b.name.clone()).collect(),
+            compiled,
+            groups: Mutex::default(),
+        }
+    }
 
     /// The same kernel over other columns: pairs of a binding's name and a column's.
     ///
@@ -76,7 +95,11 @@ impl Kernel {
     pub fn renamed(&self, names: &[(&str, &str)]) -> Result<Self, StreamError> {
         let mut columns = self.columns.clone();
         for &(binding, column) in names {
-            let place = self.bindings.iter().position(|b| b.name == binding);
+            let place = self
+                .compiled
+                .bindings
+                .iter()
+                .position(|b| b.name == binding);
             let place = place.ok_or_else(|| StreamError::Kernel {
                 kernel: self.name.to_owned(),
                 why: format!("it has no binding `{binding}`"),
@@ -85,10 +108,7 @@ impl Kernel {
         }
         Ok(Self {
             name: self.name,
-            pipeline: self.pipeline.clone(),
-            layout: self.layout.clone(),
-            workgroup: self.workgroup,
-            bindings: Arc::clone(&self.bindings),
+            compiled: self.compiled.clone(),
             columns,
             groups: Mutex::default(),
         })
@@ -103,7 +123,7 @@ impl Kernel {
     /// Invocations of a workgroup.
     #[must_use]
     pub fn workgroup(&self) -> u32 {
-        self.workgroup
+        self.compiled.workgroup
     }
 
     /// The columns that it reads and writes.
@@ -117,7 +137,7 @@ impl Kernel {
     /// # Errors
     /// [`StreamError::UnknownColumn`].
     pub fn row_bytes(&self, columns: &Columns) -> Result<usize, StreamError> {
-        let rows = self.bindings.iter().zip(&self.columns);
+        let rows = self.compiled.bindings.iter().zip(&self.columns);
         let rows = rows.filter(|(binding, _)| binding.access != Access::Uniform);
         rows.map(|(_, name)| Ok(columns.info(name)?.row_bytes))
             .sum()
@@ -125,7 +145,7 @@ impl Kernel {
 
     /// The compiled pipeline.
     pub(super) fn pipeline(&self) -> &wgpu::ComputePipeline {
-        &self.pipeline
+        &self.compiled.pipeline
     }
 
     // ANCHOR: group
@@ -156,7 +176,7 @@ impl Kernel {
 
     /// The buffers behind its names, if they are what it takes them for.
     fn buffers(&self, columns: &Columns) -> Result<Vec<wgpu::Buffer>, StreamError> {
-        let pairs = self.bindings.iter().zip(&self.columns);
+        let pairs = self.compiled.bindings.iter().zip(&self.columns);
         pairs
             .map(|(binding, name)| {
                 let buffer = columns.buffer(name)?;
@@ -198,7 +218,7 @@ impl Kernel {
     }
 
     fn bind(&self, gpu: &Gpu, buffers: &[wgpu::Buffer]) -> wgpu::BindGroup {
-        let pairs = self.bindings.iter().zip(buffers);
+        let pairs = self.compiled.bindings.iter().zip(buffers);
         let entries: Vec<_> = pairs
             .map(|(binding, buffer)| wgpu::BindGroupEntry {
                 binding: binding.number,
@@ -207,7 +227,7 @@ impl Kernel {
             .collect();
         gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some(self.name),
-            layout: &self.layout,
+            layout: &self.compiled.layout,
             entries: &entries,
         })
     }

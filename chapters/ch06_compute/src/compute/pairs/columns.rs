@@ -1,12 +1,14 @@
 //! The columns of pairs: made, filled, and made larger.
 
 use super::kernels::PER_BLOCK;
-use super::plan::{ASIDE, Plan, TOO_LARGE, poles_of};
+use super::plan::{ON_POINT, Plan, TOO_LARGE, ends_at, poles_of};
 use crate::bodies::Bodies;
 use crate::lanes::forces::Forces;
+use crate::own_row::tree::Trees;
 use crate::rows::{
-    Before, Bound, Contact, GridOf, Holding, Memory, Mouse, NONE, PAIR_STATUS_LEN, PairsOf,
-    Partner, Pivot, Pole, Pressed, Rigid, Scan, Step, Total, status_place,
+    Before, Bound, Contact, GridOf, Held, Holding, Limit, Memory, Mouse, NONE, Node,
+    PAIR_STATUS_LEN, PairsOf, Partner, Pivot, Pole, Pressed, Rigid, Scan, Step, Total, Turned,
+    status_place,
 };
 use crate::stream::{Columns, Gpu, StreamError};
 use ch00_scenes::Scene;
@@ -75,13 +77,13 @@ pub fn allocate(
     grid: &GridOf,
     pairs_of: &PairsOf,
     room: Room,
-    bounces: bool,
+    plan: &Plan,
 ) -> Result<(), StreamError> {
     let (rows, starts) = (grid.capacity as usize, grid.starts as usize);
     let pair_counts = pair_counts(grid, pairs_of);
     columns.add::<Rigid>("rigids", rows)?;
     columns.add::<Holding>("holdings", rows)?;
-    columns.add::<Before>("befores", if bounces { rows } else { 1 })?;
+    columns.add::<Before>("befores", if plan.bounces { rows } else { 1 })?;
     columns.add::<Bound>("bounds", rows)?;
     columns.add::<Bound>("sorted", rows)?;
     for name in ["slots", "order"] {
@@ -98,14 +100,14 @@ pub fn allocate(
         columns.add::<Partner>(&format!("partners_{side}"), (room.partners + 1) * rows)?;
         columns.add::<Memory>(&format!("memories_{side}"), room.pairs)?;
     }
-    columns.add::<u32>("incidents", (room.partners + 1) * rows)?;
+    columns.add::<u32>("incidents", (room.partners + plan.ends + 2) * rows)?;
     columns.add::<Contact>("touches", room.pairs)?;
-    columns.add::<Pressed>("presses", room.pairs)?;
+    columns.add::<Pressed>("presses", plan.loops + room.pairs)?;
     columns.add::<[u32; 4]>("live", room.pairs)?;
     columns.add::<u32>("large_pairs", room.large_pairs)?;
     columns.add::<Total>("totals", pairs_of.larges as usize)?;
     let indirect = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT;
-    columns.add_for::<[u32; 3]>("groups", pairs_of.kinds as usize + 1, indirect)?;
+    columns.add_for::<[u32; 3]>("groups", pairs_of.kinds as usize + 3, indirect)?;
     columns.add::<u32>("status", PAIR_STATUS_LEN)?;
     let mut status = [0; PAIR_STATUS_LEN];
     status[status_place("FIRST_NOT_FINITE")] = u32::MAX;
@@ -155,19 +157,22 @@ pub fn upload(
     scene: &Scene,
     bodies: &Bodies,
     forces: &Forces,
+    trees: &Trees,
     plan: &Plan,
 ) -> Result<(), StreamError> {
     let lists = ignored_lists(scene, bodies.rows());
+    let seats = seats_of(bodies.rows(), forces, trees);
     let mut first = 0;
     let mut rigids = Vec::with_capacity(bodies.rows());
     for (row, list) in lists.iter().enumerate() {
-        let pivot = forces.pivots.iter().position(|pivot| pivot.body == row);
+        let is_on_point = forces.pivots.iter().any(|pivot| pivot.body == row);
         rigids.push(Rigid {
-            role: role_of(bodies, plan, row, pivot.is_some()),
+            role: role_of(bodies, plan, row, is_on_point),
             large: plan.large(row),
             ignored: first,
             ignored_count: list.len() as u32,
-            pivot: pivot.map_or(NONE, |pivot| pivot as u32),
+            ends: ends_at(trees, row).count() as u32,
+            seat: seats[row],
             ..rigid_of(bodies, row)
         });
         first += list.len() as u32;
@@ -182,7 +187,72 @@ pub fn upload(
     columns.write("pivots", &pivots)?;
     let poles = poles_of(scene);
     columns.add::<Pole>("poles", poles.len())?;
-    columns.write("poles", &poles)
+    columns.write("poles", &poles)?;
+    upload_joints(columns, bodies.rows(), trees)
+}
+
+/// Writes trees, limits and loops as if nothing had held yet.
+///
+/// # Errors
+/// What the device can lack.
+pub fn upload_joints(
+    columns: &mut Columns,
+    bodies: usize,
+    trees: &Trees,
+) -> Result<(), StreamError> {
+    if !columns.has("nodes") {
+        columns.add::<Node>("nodes", trees.nodes.len())?;
+        columns.add::<Held>("joined", trees.nodes.len())?;
+        columns.add::<Limit>("limits", trees.limits.len())?;
+        columns.add::<Turned>("turned", trees.limits.len())?;
+        columns.add::<Node>("loops", trees.loops.len())?;
+    }
+    columns.write("nodes", &rooted(trees))?;
+    columns.write("joined", &vec![Held::default(); trees.nodes.len()])?;
+    columns.write("limits", &trees.limits)?;
+    columns.write("loops", &trees.loops)?;
+    columns.write("turned", &vec![Turned::default(); trees.limits.len()])?;
+    columns.write_at("presses", 0, &vec![Pressed::default(); trees.loops.len()])?;
+    columns.write_at("incidents", 0, &first_incidents(bodies, trees))
+}
+
+/// The nodes of all trees, which know their roots.
+fn rooted(trees: &Trees) -> Vec<Node> {
+    let mut nodes = trees.nodes.clone();
+    for tree in &trees.trees {
+        for node in &mut nodes[tree.clone()] {
+            node.root = tree.start as u32;
+        }
+    }
+    nodes
+}
+
+/// The beginnings of the lists of all bodies: the limits and loops that end there.
+fn first_incidents(bodies: usize, trees: &Trees) -> Vec<u32> {
+    let mut incidents = vec![0; bodies];
+    for row in 0..bodies {
+        for (k, entry) in ends_at(trees, row).enumerate() {
+            let at = (k + 1) * bodies + row;
+            incidents.resize(incidents.len().max((k + 2) * bodies), 0);
+            incidents[at] = entry;
+            incidents[row] = k as u32 + 1;
+        }
+    }
+    incidents
+}
+
+/// By body: its node, or its row among those on a fixed point.
+fn seats_of(bodies: usize, forces: &Forces, trees: &Trees) -> Vec<u32> {
+    let mut seats = vec![NONE; bodies];
+    for (seat, node) in trees.nodes.iter().enumerate() {
+        if let Some(row) = node.row() {
+            seats[row] = seat as u32;
+        }
+    }
+    for (seat, pivot) in forces.pivots.iter().enumerate() {
+        seats[pivot.body] = seat as u32;
+    }
+    seats
 }
 
 /// Nothing holds any body, and each turns as it does.
@@ -224,7 +294,7 @@ fn ignored_lists(scene: &Scene, bodies: usize) -> Vec<Vec<u32>> {
 
 fn role_of(bodies: &Bodies, plan: &Plan, row: usize, is_aside: bool) -> u32 {
     if is_aside {
-        return ASIDE;
+        return ON_POINT;
     }
     if bodies.place[row].reach > plan.largest_in_grid {
         TOO_LARGE
@@ -259,13 +329,20 @@ fn rigid_of(bodies: &Bodies, row: usize) -> Rigid {
 ///
 /// # Errors
 /// [`StreamError::TooLarge`], [`StreamError::OutOfMemory`].
-pub fn grow(columns: &mut Columns, grid: &GridOf, room: Room) -> Result<(), StreamError> {
-    let lists = (room.partners + 1) * grid.capacity as usize;
-    for name in ["partners_a", "partners_b", "incidents"] {
-        columns.reserve(name, lists)?;
+pub fn grow(
+    columns: &mut Columns,
+    grid: &GridOf,
+    plan: &Plan,
+    room: Room,
+) -> Result<(), StreamError> {
+    let rows = grid.capacity as usize;
+    for name in ["partners_a", "partners_b"] {
+        columns.reserve(name, (room.partners + 1) * rows)?;
     }
-    for name in ["memories_a", "memories_b", "touches", "presses", "live"] {
+    columns.reserve("incidents", (room.partners + plan.ends + 2) * rows)?;
+    for name in ["memories_a", "memories_b", "touches", "live"] {
         columns.reserve(name, room.pairs)?;
     }
+    columns.reserve("presses", plan.loops + room.pairs)?;
     columns.reserve("large_pairs", room.large_pairs)
 }

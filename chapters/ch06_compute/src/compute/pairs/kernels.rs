@@ -67,6 +67,8 @@ pub struct Sizes {
     pub pair_counts: usize,
     /// Large bodies that move.
     pub larges: usize,
+    /// Nodes of trees.
+    pub nodes: usize,
     /// Parts of a step.
     pub substeps: u32,
     /// Whether anybody draws.
@@ -90,8 +92,12 @@ pub struct PairKernels {
     start: Sided,
     solve: Sided,
     solve_last: Sided,
-    advance: Kernel,
-    advance_last: Kernel,
+    limits: Option<Kernel>,
+    loops: Option<Kernel>,
+    /// Bodies in no tree, and in the last substep.
+    advance: Option<[Kernel; 2]>,
+    /// Those in trees.
+    trees: Option<[Kernel; 2]>,
     restore: Option<(Sided, Kernel)>,
     /// Where what pulls depends on where others are.
     kick: Option<Kernel>,
@@ -107,7 +113,10 @@ impl PairKernels {
         let make = |name, file: &str, entry: &str, last: bool| {
             kernel(gpu, name, file, entry, &constants(plan, last))
         };
-        let advance = |last| make("advance", "ch06_pair_advance", "pair_advance", last);
+        let both = |name, entry| -> Result<_, StreamError> {
+            let make = |last| make(name, "ch06_pair_advance", entry, last);
+            Ok([make(false)?, make(true)?])
+        };
         let solve = |last| -> Result<Sided, StreamError> {
             Sided::of(
                 &make("solve", "ch06_pair_solve", "pair_solve", last)?,
@@ -157,25 +166,26 @@ impl PairKernels {
                 .enumerate()
                 .map(meet)
                 .collect::<Result<_, _>>()?,
-            large: if plan.larges.is_empty() {
-                None
-            } else {
-                Some(large()?)
-            },
+            large: some(!plan.larges.is_empty(), large)?,
             start: Sided::of(
                 &make("start", "ch06_pair_start", "pair_start", false)?,
                 name_lists,
             )?,
+            limits: some(plan.limits > 0, || {
+                make("limits", "ch06_limits", "solve_limits", false)
+            })?,
+            loops: some(plan.loops > 0, || {
+                let loops = make("loops", "ch06_loops", "solve_loops", false)?;
+                loops.renamed(&[("loop_presses", "presses")])
+            })?,
             solve: solve(false)?,
             solve_last: solve(true)?,
-            advance: advance(false)?,
-            advance_last: advance(true)?,
-            restore: if plan.bounces { Some(restore()?) } else { None },
-            kick: if plan.poles > 0 {
-                Some(make("kick", "ch06_pair_kick", "pair_kick", false)?)
-            } else {
-                None
-            },
+            advance: some(plan.loose, || both("advance", "pair_advance"))?,
+            trees: some(plan.joints, || both("trees", "pair_trees"))?,
+            restore: some(plan.bounces, restore)?,
+            kick: some(plan.poles > 0, || {
+                make("kick", "ch06_pair_kick", "pair_kick", false)
+            })?,
             state: make("state", "ch06_pair_state", "pair_state", false)?,
         })
     }
@@ -208,14 +218,20 @@ impl PairKernels {
             } else {
                 &self.solve
             };
-            let advance = if is_last {
-                &self.advance_last
-            } else {
-                &self.advance
-            };
             passes.run_indirect(&solve.0[side], "groups", 0)?;
+            if let Some(limits) = &self.limits {
+                passes.run_indirect(limits, "groups", self.meet.len() + 1)?;
+            }
+            if let Some(loops) = &self.loops {
+                passes.run_indirect(loops, "groups", self.meet.len() + 2)?;
+            }
             self.add_large(passes, sizes)?;
-            passes.run(advance, sizes.rows)?;
+            if let Some(advance) = &self.advance {
+                passes.run(&advance[usize::from(is_last)], sizes.rows)?;
+            }
+            if let Some(trees) = &self.trees {
+                passes.run(&trees[usize::from(is_last)], sizes.nodes)?;
+            }
             if !is_last {
                 self.kick(passes, sizes)?;
             }
@@ -238,8 +254,12 @@ impl PairKernels {
     pub fn names(&self) -> Vec<&'static str> {
         let mut names = vec![
             "cells", "scan", "scatter", "sort", "find", "scan", "plan", "list", "meet", "start",
-            "solve", "advance",
+            "solve",
         ];
+        names.extend(self.limits.iter().map(|_| "limits"));
+        names.extend(self.loops.iter().map(|_| "loops"));
+        names.extend(self.advance.iter().map(|_| "advance"));
+        names.extend(self.trees.iter().map(|_| "trees"));
         if self.kick.is_some() {
             names.push("kick");
         }
@@ -279,6 +299,11 @@ impl PairKernels {
     }
 }
 
+/// Something that a plan has or not.
+fn some<T>(has: bool, make: impl Fn() -> Result<T, StreamError>) -> Result<Option<T>, StreamError> {
+    if has { make().map(Some) } else { Ok(None) }
+}
+
 /// The constants of a plan; each kernel takes those that it has.
 fn constants(plan: &Plan, last: bool) -> Vec<(&'static str, f64)> {
     let flag = |on: bool| f64::from(u8::from(on));
@@ -286,6 +311,10 @@ fn constants(plan: &Plan, last: bool) -> Vec<(&'static str, f64)> {
         ("POINTS", f64::from(plan.points)),
         ("BOUNCES", flag(plan.bounces)),
         ("IGNORES", flag(plan.ignores)),
+        ("JOINTS", flag(plan.joints)),
+        ("HINGES", flag(plan.hinges)),
+        ("RODS", flag(plan.rods)),
+        ("EULER_LIMITS", flag(plan.euler)),
         ("MOVING_LARGE", flag(!plan.larges.is_empty())),
         ("PIVOTS", flag(plan.pivots)),
         ("PULLS", flag(plan.poles > 0)),

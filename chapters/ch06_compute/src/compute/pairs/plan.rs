@@ -3,16 +3,24 @@
 use ch00_scenes::{Force, Scene};
 
 use crate::bodies::Bodies;
-use crate::grid::{Grid, LARGE, largest_in_grid, margin_of};
+use crate::grid::{Grid, largest_in_grid};
 use crate::lanes::forces::Forces;
 use crate::own_row::narrow::{PAIR_KINDS, pair_kind};
-use crate::rows::{GridOf, NONE, PairsOf, Place, Pole};
+use crate::own_row::tree::Trees;
+use crate::rows::{EULER, GridOf, HINGE, NONE, Node, PairsOf, Place, Pole, ROD, TWO_RODS};
 use crate::rules::MARGIN;
 
 /// A body that is too large for the grid.
 pub const TOO_LARGE: u32 = 1;
-/// A body that touches nothing.
-pub const ASIDE: u32 = 2;
+/// A body on a fixed point: it touches nothing.
+pub const ON_POINT: u32 = 2;
+
+/// Set in the list of a body where a row is a limit's: `common/pairing.wgsl` has it too.
+const OF_LIMIT: u32 = 1 << 31;
+
+/// So many cells a body may look ahead and still be found in the grid. Beyond, all others look at it
+/// wherever they are.
+const CELLS_AHEAD: f32 = 1.0;
 
 /// The most points that a pair of each kind has. Closed forms of balls have one; the others are cut to
 /// four.
@@ -26,6 +34,20 @@ pub struct Plan {
     pub kinds: Vec<u32>,
     /// The most points of a pair.
     pub points: u32,
+    /// Whether there are joints.
+    pub joints: bool,
+    /// Whether trees have hinges.
+    pub hinges: bool,
+    /// Whether trees have rods.
+    pub rods: bool,
+    /// Whether any body that moves is in no tree.
+    pub loose: bool,
+    /// Angle limits.
+    pub limits: usize,
+    /// Joints that close loops.
+    pub loops: usize,
+    /// The most limits and loops that end at a body.
+    pub ends: usize,
     /// Whether anything bounces.
     pub bounces: bool,
     /// Whether any bodies pass through each other.
@@ -34,6 +56,12 @@ pub struct Plan {
     pub larges: Vec<u32>,
     /// Reach beyond which a body is large, m.
     pub largest_in_grid: f32,
+    /// The farthest that a body in the grid reaches, m.
+    pub widest: f32,
+    /// A body that looks farther ahead than this, m, is too fast for the grid.
+    pub fast: f32,
+    /// Whether any limit is one of pitch, yaw and roll.
+    pub euler: bool,
     /// Whether any body hangs on a fixed point.
     pub pivots: bool,
     /// How many poles there are. Where there are any, what pulls a body depends on where others are.
@@ -44,7 +72,7 @@ pub struct Plan {
 impl Plan {
     /// Of a scene.
     #[must_use]
-    pub fn of(scene: &Scene, bodies: &Bodies, forces: &Forces) -> Self {
+    pub fn of(scene: &Scene, bodies: &Bodies, forces: &Forces, trees: &Trees) -> Self {
         let mut aside: Vec<u32> = forces
             .pivots
             .iter()
@@ -56,6 +84,16 @@ impl Plan {
             .collect();
         let reaches = moving.iter().map(|&row| bodies.place[row].reach).collect();
         let limit = largest_in_grid(reaches);
+        let has = |kinds: &[u32]| trees.nodes.iter().any(|node| kinds.contains(&node.kind));
+        let mut is_in_tree = vec![false; bodies.rows()];
+        for row in trees.nodes.iter().filter_map(Node::row) {
+            is_in_tree[row] = true;
+        }
+        let small = bodies
+            .place
+            .iter()
+            .map(|place| place.reach)
+            .filter(|&reach| reach <= limit);
         let kinds = kinds_of(bodies, &aside);
         let points = kinds.iter().map(|&kind| MOST_POINTS[kind as usize]).max();
         let is_large = |row: &u32| bodies.place[*row as usize].reach > limit;
@@ -70,8 +108,22 @@ impl Plan {
             ignores: !scene.joints.is_empty(),
             larges: larges.filter(|row| !aside.contains(row)).collect(),
             largest_in_grid: limit,
+            widest: small.fold(0.0, f32::max),
+            fast: CELLS_AHEAD
+                * Grid::of(&bodies.place, |row| bodies.place[row].reach <= limit).edge,
+            euler: trees.limits.iter().any(|limit| limit.kind == EULER),
             pivots: !forces.pivots.is_empty(),
             poles: poles_of(scene).len(),
+            joints: !scene.joints.is_empty(),
+            hinges: has(&[HINGE]),
+            rods: has(&[ROD, TWO_RODS]),
+            loose: moving.iter().any(|&row| !is_in_tree[row]),
+            limits: trees.limits.len(),
+            loops: trees.loops.len(),
+            ends: (0..bodies.rows())
+                .map(|row| ends_at(trees, row).count())
+                .max()
+                .unwrap_or(0),
         }
     }
 
@@ -95,8 +147,12 @@ impl Plan {
             large_room: large_room as u32,
             low_slots,
             high_slots,
-            fast: 0.25 * margin_of(self.largest_in_grid / LARGE),
+            fast: self.fast,
             poles: self.poles as u32,
+            before: self.loops as u32,
+            limits: self.limits as u32,
+            widest: self.widest,
+            spare: 0,
         }
     }
 
@@ -106,6 +162,17 @@ impl Plan {
         let found = self.larges.binary_search(&(row as u32));
         found.map_or(NONE, |place| place as u32)
     }
+}
+
+/// The limits and loops that end at a body, as its list has them: twice the row, one more where the body is
+/// b, and a bit for limits.
+pub fn ends_at(trees: &Trees, row: usize) -> impl Iterator<Item = u32> {
+    let entry = |(row, is_b): (usize, bool)| 2 * row as u32 + u32::from(is_b);
+    let limits = trees
+        .limit_ends
+        .at(row)
+        .map(move |end| entry(end) | OF_LIMIT);
+    limits.chain(trees.loop_ends.at(row).map(entry))
 }
 
 /// The magnetic poles of a scene.
@@ -166,7 +233,7 @@ pub fn grid_of(bodies: &Bodies, plan: &Plan, room: usize) -> GridOf {
         room: room as u32,
         starts: grid.count() as u32 + 2,
         margin: MARGIN,
-        most_margin: margin_of(plan.largest_in_grid / LARGE),
+        most_margin: plan.fast,
         widest: reaches.fold(0.0, f32::max),
         ..GridOf::default()
     }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use ch00_scenes::Scene;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::graph::{Forest, Place};
 use super::merge::Bond;
@@ -157,9 +157,15 @@ impl Trees {
 
     /// A limit of one of two pins turns about the line of both.
     fn pin_limits(&mut self, bond: &Bond) {
-        let is_of = |limit: &&mut Limit| bond.joints.contains(&(limit.joint as usize));
-        for limit in self.limits.iter_mut().filter(is_of) {
-            let [a, b] = bond.anchors.map(|anchor| anchor.as_vec3());
+        for &joint in &bond.joints {
+            let place = self
+                .limits
+                .binary_search_by_key(&(joint as u32), |limit| limit.joint);
+            let Ok(place) = place else {
+                continue;
+            };
+            let limit = &mut self.limits[place];
+            let [a, b] = bond.anchors.map(DVec3::as_vec3);
             let is_flipped = limit.a as usize != bond.a;
             [limit.anchor_a, limit.anchor_b] = if is_flipped { [b, a] } else { [a, b] };
         }

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+// ANCHOR: error
 /// A tree that no workgroup holds.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
@@ -18,3 +19,4 @@ pub struct TreeError {
     /// How many it may have.
     pub most: usize,
 }
+// ANCHOR_END: error

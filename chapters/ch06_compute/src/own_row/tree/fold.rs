@@ -80,6 +80,7 @@ pub fn fold(kind: u32, link: &Link, bone: &Bone, body: &Carried) -> (Kept, Carri
 // ANCHOR_END: fold
 
 // ANCHOR: fold_point
+// ANCHOR: felt_mass
 /// A joint about whose point the body turns freely: it gives way until no turning impulse is left. What
 /// is felt at the point is the mass K = A − Cᵀ D⁻¹ C.
 fn fold_point(kind: u32, link: &Link, bone: &Bone, at_joint: &Carried) -> (Kept, Carried) {
@@ -116,6 +117,7 @@ fn fold_point(kind: u32, link: &Link, bone: &Bone, at_joint: &Carried) -> (Kept,
     };
     (kept, carried)
 }
+// ANCHOR_END: felt_mass
 
 /// A − Gᵀ C where that is symmetric.
 fn less_product(a: Symmetric, g: Mat3, c: Mat3) -> Symmetric {

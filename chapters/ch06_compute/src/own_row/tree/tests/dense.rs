@@ -268,10 +268,11 @@ fn eliminate(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
             .expect("a row");
         matrix.swap(k, pivot);
         right.swap(k, pivot);
+        let above = matrix[k].clone();
         for row in k + 1..n {
-            let factor = matrix[row][k] / matrix[k][k];
-            for column in k..n {
-                matrix[row][column] -= factor * matrix[k][column];
+            let factor = matrix[row][k] / above[k];
+            for (entry, above) in matrix[row].iter_mut().zip(&above).skip(k) {
+                *entry -= factor * above;
             }
             right[row] -= factor * right[k];
         }

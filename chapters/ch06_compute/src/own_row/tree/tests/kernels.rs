@@ -169,7 +169,8 @@ fn the_kernel_swings_a_chain_as_the_function_does() {
     world.solve_trees();
     for (row, rigid) in device.read::<Rigid>("rigids").iter().enumerate() {
         let velocity = world.bodies.motion[row].velocity;
-        assert_near("velocity", row, rigid.velocity, velocity, 1e-5);
+        // The ball weighs as much as 672 links: rounding is that much larger for a link.
+        assert_near("velocity", row, rigid.velocity, velocity, 1e-4);
         assert!((velocity - before.motion[row].velocity).length() < 0.1);
     }
 }

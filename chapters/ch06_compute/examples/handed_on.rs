@@ -1,0 +1,99 @@
+//! A ball with e = 0 meets a wall at 10 m/s, and has other contacts besides, which do nothing: so it has
+//! several shares. How fast does it leave the wall, if a substep begins with all that the last one pressed,
+//! and if impacts are over with their substep? From the page on own rows.
+//!
+//! `cargo run --release -p ch06_compute --no-default-features --example handed_on`
+
+use ch06_compute::own_row::contact::{Before, Side, solve_pair};
+use ch06_compute::rows::{Impulse, Manifold, Material, ROUND, Step};
+use ch06_compute::rules::IMPACT_SPEED;
+use glam::{Mat3, Quat, Vec3, Vec4};
+
+/// Of both balls, m; the wall is one that nothing moves.
+const RADIUS: f32 = 0.5;
+/// How fast it comes, m/s; it has 1 kg.
+const SPEED: f32 = 10.0;
+/// Enough for all to be over.
+const SUBSTEPS: u32 = 200;
+
+fn main() {
+    println!("shares  all handed on  impacts over with their substep   (m/s away from the wall)");
+    for shares in [1, 2, 4, 8] {
+        // To a thousandth, and nothing as 0, not as −0.
+        let thousandths = |x: f32| (1e3 * x).round() / 1e3 + 0.0;
+        let speeds = [f32::INFINITY, IMPACT_SPEED].map(|speed| leaves(shares, speed));
+        let [all, over] = speeds.map(thousandths);
+        println!("{shares:>6}{all:>15.3}{over:>33.3}");
+    }
+}
+
+// ANCHOR: leaves
+/// How fast the ball leaves, m/s.
+fn leaves(shares: u32, impact_speed: f32) -> f32 {
+    let step = Step {
+        h: 1.0,
+        impact_speed,
+        ..Step::default()
+    };
+    let mut velocity = SPEED;
+    let mut impulse = Impulse::default();
+    let mut held = 0.0;
+    for _ in 0..SUBSTEPS {
+        let before = velocity;
+        velocity -= held;
+        let sides = [ball(velocity, before, shares), wall()];
+        let mut approach = Vec4::ZERO;
+        let press = solve_pair(
+            &contact(),
+            &Material::default(),
+            &mut impulse,
+            &mut approach,
+            sides,
+            &step,
+        );
+        velocity -= press.linear.x - held;
+        held = press.stays * press.linear.x;
+    }
+    -velocity
+}
+// ANCHOR_END: leaves
+
+fn contact() -> Manifold {
+    Manifold {
+        turns: ROUND,
+        round_a: RADIUS,
+        round_b: RADIUS,
+        points: 1,
+        ..Manifold::default()
+    }
+}
+
+fn ball(velocity: f32, before: f32, shares: u32) -> Side {
+    Side {
+        velocity: velocity * Vec3::X,
+        inverse_mass: 1.0,
+        shared_mass: shares as f32,
+        before: Before {
+            velocity: before * Vec3::X,
+            ..Before::default()
+        },
+        ..wall_at(Vec3::ZERO)
+    }
+}
+
+fn wall() -> Side {
+    wall_at(2.0 * RADIUS * Vec3::X)
+}
+
+fn wall_at(position: Vec3) -> Side {
+    Side {
+        position,
+        attitude: Quat::IDENTITY,
+        velocity: Vec3::ZERO,
+        angular_velocity: Vec3::ZERO,
+        inverse_mass: 0.0,
+        shared_mass: 0.0,
+        shared_inertia: Mat3::ZERO,
+        before: Before::default(),
+    }
+}

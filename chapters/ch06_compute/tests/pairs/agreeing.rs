@@ -1,0 +1,145 @@
+//! The device against the CPU.
+
+use ch00_scenes::random::SplitMix64;
+use ch00_scenes::{Engine, Scene, Settings, State};
+use ch06_compute::lanes::{Lanes, LanesEngine};
+
+use super::{DT, after, built_in, gpu, largest_gap, pairs, rules};
+
+/// Runs whose starts differ by one unit in the last place.
+const RUNS: u64 = 20;
+
+/// Where nothing is chaotic the spread is a few roundings, and a fused multiply-add is one more, m.
+const ROUNDINGS: f64 = 1e-5;
+
+/// The scene on the CPU, with every coordinate of a start moved by one unit in the last place, of its body's
+/// size at least, this way, that way or not.
+fn on_the_cpu(scene: &Scene, seed: u64, steps: u32) -> State {
+    let mut moved = scene.clone();
+    let mut random = SplitMix64::new(seed);
+    for body in moved.bodies.iter_mut().filter(|body| !body.is_static()) {
+        let size = f64::from(body.shape.single().bounding_radius());
+        for axis in 0..3 {
+            let way = [-1.0, 0.0, 1.0][random.next_u64() as usize % 3];
+            let unit = f64::from(f32::EPSILON) * body.position[axis].abs().max(size);
+            body.position[axis] += if seed == 0 { 0.0 } else { way * unit };
+        }
+    }
+    let mut lanes = Lanes::of(&moved, rules(&moved)).expect("it is supported");
+    for _ in 0..steps {
+        lanes.step(DT, |_| ());
+    }
+    let mut state = State::default();
+    lanes.bodies.read(&mut state);
+    state
+}
+
+/// How far a run on the device is from one on the CPU after some steps, in terms of how far runs on the CPU
+/// are from each other.
+fn agree(name: &str, count: Option<u64>, steps: u32) {
+    let scene = built_in(name, count);
+    let found = after(&mut pairs(&gpu(), &scene), steps);
+    let runs: Vec<State> = (0..=RUNS)
+        .map(|seed| on_the_cpu(&scene, seed, steps))
+        .collect();
+    let gaps = runs[1..].iter().map(|run| largest_gap(&runs[0], run));
+    let spread = gaps.fold(0.0, f64::max);
+    let gap = largest_gap(&found, &runs[0]);
+    let allowed = 3.0 * spread + ROUNDINGS;
+    assert_eq!(found.not_finite(), 0, "{name}");
+    assert!(
+        gap <= allowed,
+        "{name}: {gap} m apart after {steps} steps, allowed {allowed}"
+    );
+}
+
+#[test]
+fn contacts_agree_with_the_cpu_within_its_own_spread() {
+    for name in [
+        "pair",
+        "bounce_half",
+        "slopes",
+        "slip_to_roll",
+        "oblique",
+        "balls",
+    ] {
+        agree(name, None, 60);
+    }
+}
+
+#[test]
+fn boxes_agree_with_the_cpu_within_its_own_spread() {
+    for name in ["stack", "heavy_on_light", "incline", "slide"] {
+        agree(name, None, 60);
+    }
+}
+
+#[test]
+fn all_shapes_agree_with_the_cpu_within_its_own_spread() {
+    agree("mixed", Some(40), 60);
+}
+
+#[test]
+fn joints_agree_with_the_cpu_within_its_own_spread() {
+    for (name, count) in [
+        ("chain", None),
+        ("chain_hanging", Some(10)),
+        ("cradle", None),
+        ("door", None),
+    ] {
+        agree(name, count, 60);
+    }
+}
+
+#[test]
+fn ragdolls_agree_with_the_cpu_within_its_own_spread() {
+    agree("ragdoll_field", Some(3), 60);
+}
+
+#[test]
+fn forces_agree_with_the_cpu_within_its_own_spread() {
+    for name in ["tops", "magnets"] {
+        agree(name, None, 60);
+    }
+}
+
+#[test]
+fn fast_bodies_agree_with_the_cpu_within_its_own_spread() {
+    agree("tunnelling", Some(1), 60);
+}
+
+#[test]
+fn the_first_steps_differ_by_roundings_only() {
+    for (name, count) in [
+        ("stack", Some(8)),
+        ("slide", None),
+        ("ragdoll_field", Some(2)),
+    ] {
+        let scene = built_in(name, count);
+        let found = after(&mut pairs(&gpu(), &scene), 3);
+        let gap = largest_gap(&found, &on_the_cpu(&scene, 0, 3));
+        assert!(gap < ROUNDINGS, "{name}: {gap} m apart");
+    }
+}
+
+#[test]
+fn equal_inputs_give_equal_bits() {
+    let gpu = gpu();
+    for (name, count) in [("ragdoll_field", Some(4)), ("stack", Some(10))] {
+        let scene = built_in(name, count);
+        let run = || after(&mut pairs(&gpu, &scene), 90).hash();
+        assert_eq!(run(), run(), "{name}");
+    }
+}
+
+#[test]
+fn the_engine_of_lanes_makes_the_steps_that_the_device_is_compared_with() {
+    let scene = built_in("stack", None);
+    let mut engine = LanesEngine::load(&scene, &Settings::defaults()).expect("it is supported");
+    for _ in 0..5 {
+        engine.step(DT);
+    }
+    let mut state = State::default();
+    engine.read_state(&mut state);
+    assert_eq!(state.hash(), on_the_cpu(&scene, 0, 5).hash());
+}
