@@ -101,13 +101,24 @@ fn look_around(search: ptr<function, Search>, ahead: f32) {
     }
 }
 
+// Four are asked for at once: what waits for memory waits once for all.
 fn look(search: ptr<function, Search>, first: u32, end: u32) {
-    let own = (*search).own;
-    for (var at = first; at < end; at++) {
-        let other = sorted[at];
-        if may_touch(own, other) && (other.body & BODY) != (*search).row {
-            add(search, other);
-        }
+    for (var at = first; at < end; at += 4u) {
+        let last = end - 1u;
+        let one = sorted[at];
+        let two = sorted[min(at + 1u, last)];
+        let three = sorted[min(at + 2u, last)];
+        let four = sorted[min(at + 3u, last)];
+        consider(search, one, true);
+        consider(search, two, at + 1u < end);
+        consider(search, three, at + 2u < end);
+        consider(search, four, at + 3u < end);
+    }
+}
+
+fn consider(search: ptr<function, Search>, other: Bound, is_one: bool) {
+    if is_one && may_touch((*search).own, other) && (other.body & BODY) != (*search).row {
+        add(search, other);
     }
 }
 

@@ -80,8 +80,10 @@ fn carry(old: u32, m: ptr<function, Manifold>) -> Memory {
 }
 // ANCHOR_END: carry
 
-fn contact_of(row: Contact, m: ptr<function, Manifold>, a: Rigid, b: Rigid) -> Contact {
-    var contact = row;
+fn contact_of(rows: vec2u, m: ptr<function, Manifold>, a: Rigid, b: Rigid) -> Contact {
+    var contact: Contact;
+    contact.a = rows.x;
+    contact.b = rows.y;
     contact.normal = (*m).normal;
     contact.turns = (*m).turns;
     contact.round_a = (*m).round_a;
@@ -99,9 +101,9 @@ fn contact_of(row: Contact, m: ptr<function, Manifold>, a: Rigid, b: Rigid) -> C
 
 // ANCHOR: meet
 // Finds where a pair touches, and presses again. Says how many points there are.
-fn meet_pair(pair: u32, row_a: u32, row_b: u32) -> u32 {
-    let a = rigids[row_a];
-    let b = rigids[row_b];
+fn meet_pair(pair: u32, rows: vec2u) -> u32 {
+    let a = rigids[rows.x];
+    let b = rigids[rows.y];
     var m = manifold_of_kind(PAIR_KIND, posed(a), posed(b), margin_of(a, b));
     if m.points == 0u {
         touches[pair].points = 0u;
@@ -109,9 +111,10 @@ fn meet_pair(pair: u32, row_a: u32, row_b: u32) -> u32 {
         return 0u;
     }
     let b_lists = a.role == LARGE && b.role != LARGE;
-    let old = last_pair(select(row_a, row_b, b_lists), select(row_b, row_a, b_lists));
+    let listed = select(rows, rows.yx, b_lists);
+    let old = last_pair(listed.x, listed.y);
     let memory = carry(old, &m);
-    touches[pair] = contact_of(touches[pair], &m, a, b);
+    touches[pair] = contact_of(rows, &m, a, b);
     memories[pair] = memory;
     var side_a = side_of(a);
     var side_b = side_of(b);
@@ -136,7 +139,7 @@ fn pair_meet(
     var place = 0u;
     if is_one {
         rows = vec2u(touches[pair].a, touches[pair].b);
-        points = meet_pair(pair, rows.x, rows.y);
+        points = meet_pair(pair, rows);
         if points > 0u {
             place = atomicAdd(&found, 1u);
         }

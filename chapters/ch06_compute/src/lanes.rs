@@ -203,15 +203,22 @@ impl Lanes {
     }
 
     // ANCHOR: gather
-    /// Every body sums what its pairs did to it, in the order of their IDs.
+    /// Every body sums what its pairs did to it, in the order of their IDs; then its limits and loops.
     fn gather(&mut self) {
+        self.gather_pairs();
+        for row in 0..self.bodies.rows() {
+            self.joints.gather(row, &mut self.gathered[row]);
+        }
+    }
+
+    /// What its pairs did to each body.
+    fn gather_pairs(&mut self) {
         for row in 0..self.bodies.rows() {
             let mut sum = Gathered::default();
             for &pair in self.pairs.of(row) {
                 let is_b = self.pairs.bodies[pair as usize].1 == row;
                 sum.add(&self.pairs.press[pair as usize], is_b);
             }
-            self.joints.gather(row, &mut sum);
             self.gathered[row] = sum;
         }
     }
@@ -308,7 +315,7 @@ impl Lanes {
         if !any {
             return;
         }
-        self.gather();
+        self.gather_pairs();
         for row in 0..self.bodies.rows() {
             self.bodies.motion[row].shares = self.gathered[row].counts.max(1.0);
         }
@@ -318,7 +325,7 @@ impl Lanes {
             let approach = self.pairs.approach[pair];
             self.pairs.press[pair] = restore_pair(m, material, approach, sides, step);
         }
-        self.gather();
+        self.gather_pairs();
         for row in 0..self.bodies.rows() {
             let (q, solid) = (self.bodies.attitude[row], &self.bodies.solid[row]);
             let (motion, spin) = (&mut self.bodies.motion[row], &mut self.bodies.spin[row]);

@@ -18,7 +18,9 @@ use super::error::ComputeError;
 use crate::bodies::Bodies;
 use crate::lanes::forces::Forces;
 use crate::own_row::tree::Trees;
-use crate::rows::{Drawn, GridOf, Mouse, PAIR_STATUS_LEN, PairsOf, Rigid, Seen, status_place};
+use crate::rows::{
+    Drawn, GridOf, Mouse, Node, PAIR_STATUS_LEN, PairsOf, Rigid, Seen, status_place,
+};
 use crate::rules::Rules;
 use crate::stream::{Columns, Gpu, Passes, StreamError, Timer};
 
@@ -73,6 +75,7 @@ impl Pairs {
             .map_err(|(what, body)| ComputeError::Unsupported { what, body })?;
         let trees = Trees::of(scene);
         trees.fits()?;
+        check_pivots(&forces, &trees)?;
         let plan = Plan::of(scene, &bodies, &forces, &trees);
         let grid = grid_of(&bodies, &plan, room.partners);
         let pairs_of = plan.pairs_of(room.pairs, room.large_pairs);
@@ -306,10 +309,6 @@ impl Pairs {
     /// # Errors
     /// No memory for them.
     pub fn draw(&mut self) -> Result<(), StreamError> {
-        if !self.columns.has("drawn") {
-            self.columns.add::<Drawn>("drawn", self.bodies.rows())?;
-            self.columns.add::<Seen>("seen", self.bodies.rows())?;
-        }
         self.draws = true;
         self.write_drawn()
     }
@@ -389,6 +388,18 @@ impl Pairs {
     pub fn passes(&self) -> Vec<&'static str> {
         self.kernels.names()
     }
+}
+
+/// Whether no body on a fixed point hangs in a tree too.
+fn check_pivots(forces: &Forces, trees: &Trees) -> Result<(), ComputeError> {
+    let mut rows = trees.nodes.iter().filter_map(Node::row);
+    let both = rows.find(|row| forces.pivots.iter().any(|pivot| pivot.body == *row));
+    both.map_or(Ok(()), |body| {
+        Err(ComputeError::Unsupported {
+            what: "a joint of a body on a fixed point".to_owned(),
+            body,
+        })
+    })
 }
 
 /// The last `missing` of steps that wait.

@@ -94,11 +94,6 @@ impl Joints {
     /// Every tree mends the velocities of its bodies.
     pub fn solve_trees(&mut self, bodies: &mut Bodies, h: f32) {
         self.trees.solve(bodies, &mut self.joined, h);
-        for node in &self.trees.nodes {
-            if let Some(row) = node.row() {
-                bodies.read_momentum(row);
-            }
-        }
     }
     // ANCHOR_END: solve_trees
 

@@ -1,10 +1,13 @@
 //! The device against the CPU.
 
-use ch00_scenes::random::SplitMix64;
-use ch00_scenes::{Engine, Scene, Settings, State};
-use ch06_compute::lanes::{Lanes, LanesEngine};
+use std::f64::consts::PI;
 
-use super::{DT, after, built_in, gpu, largest_gap, pairs, rules};
+use ch00_scenes::random::SplitMix64;
+use ch00_scenes::{Engine, Joint, Scene, Settings, State};
+use ch06_compute::lanes::{Lanes, LanesEngine};
+use glam::{DQuat, DVec3};
+
+use super::{DT, after, ball, built_in, gpu, largest_gap, pairs, rules};
 
 /// Runs whose starts differ by one unit in the last place.
 const RUNS: u64 = 20;
@@ -37,10 +40,14 @@ fn on_the_cpu(scene: &Scene, seed: u64, steps: u32) -> State {
 /// How far a run on the device is from one on the CPU after some steps, in terms of how far runs on the CPU
 /// are from each other.
 fn agree(name: &str, count: Option<u64>, steps: u32) {
-    let scene = built_in(name, count);
-    let found = after(&mut pairs(&gpu(), &scene), steps);
+    scenes_agree(&built_in(name, count), steps);
+}
+
+fn scenes_agree(scene: &Scene, steps: u32) {
+    let name = &scene.name;
+    let found = after(&mut pairs(&gpu(), scene), steps);
     let runs: Vec<State> = (0..=RUNS)
-        .map(|seed| on_the_cpu(&scene, seed, steps))
+        .map(|seed| on_the_cpu(scene, seed, steps))
         .collect();
     let gaps = runs[1..].iter().map(|run| largest_gap(&runs[0], run));
     let spread = gaps.fold(0.0, f64::max);
@@ -94,6 +101,51 @@ fn joints_agree_with_the_cpu_within_its_own_spread() {
 #[test]
 fn ragdolls_agree_with_the_cpu_within_its_own_spread() {
     agree("ragdoll_field", Some(3), 60);
+}
+
+#[test]
+fn ragdolls_that_bounce_agree_with_the_cpu_within_its_own_spread() {
+    let mut scene = built_in("ragdoll_field", Some(2));
+    for body in &mut scene.bodies {
+        body.restitution = 0.5;
+    }
+    scenes_agree(&scene, 40);
+}
+
+#[test]
+fn joints_that_close_loops_agree_with_the_cpu_within_its_own_spread() {
+    scenes_agree(&ring(), 60);
+}
+
+/// A ring of eight balls, each pinned to the next, that hangs on a static one.
+fn ring() -> Scene {
+    let mut scene = Scene::new("ring");
+    let places = (0..8).map(|i| DQuat::from_rotation_z(0.25 * PI * f64::from(i)) * DVec3::Y);
+    let places: Vec<DVec3> = places.collect();
+    scene.bodies.push(ball(0.1, 0.0, places[0]));
+    for &place in &places[1..] {
+        scene.bodies.push(ball(0.1, 1.0, place));
+    }
+    for a in 0..8 {
+        let b = (a + 1) % 8;
+        let half = 0.5 * (places[b] - places[a]);
+        scene.joints.push(pin(a, b, half));
+    }
+    scene
+}
+
+/// A ball joint midway between two bodies.
+fn pin(a: usize, b: usize, half: DVec3) -> Joint {
+    Joint::Ball {
+        a,
+        b,
+        anchor_a: half,
+        anchor_b: -half,
+        cone: None,
+        twist: None,
+        limits: None,
+        rest: None,
+    }
 }
 
 #[test]

@@ -6,9 +6,9 @@ use crate::bodies::Bodies;
 use crate::lanes::forces::Forces;
 use crate::own_row::tree::Trees;
 use crate::rows::{
-    Before, Bound, Contact, GridOf, Held, Holding, Limit, Memory, Mouse, NONE, Node,
-    PAIR_STATUS_LEN, PairsOf, Partner, Pivot, Pole, Pressed, Rigid, Scan, Step, Total, Turned,
-    status_place,
+    Before, Bound, Contact, Drawn, GridOf, Held, Holding, Limit, Memory, Mouse, NONE, Node,
+    PAIR_STATUS_LEN, PairsOf, Partner, Pivot, Pole, Pressed, Rigid, Scan, Seen, Step, Total,
+    Turned, status_place,
 };
 use crate::stream::{Columns, Gpu, StreamError};
 use ch00_scenes::Scene;
@@ -100,14 +100,16 @@ pub fn allocate(
         columns.add::<Partner>(&format!("partners_{side}"), (room.partners + 1) * rows)?;
         columns.add::<Memory>(&format!("memories_{side}"), room.pairs)?;
     }
-    columns.add::<u32>("incidents", (room.partners + plan.ends + 2) * rows)?;
+    columns.add::<u32>("incidents", (room.partners + plan.joints.ends + 2) * rows)?;
     columns.add::<Contact>("touches", room.pairs)?;
-    columns.add::<Pressed>("presses", plan.loops + room.pairs)?;
+    columns.add::<Pressed>("presses", plan.joints.loops + room.pairs)?;
     columns.add::<[u32; 4]>("live", room.pairs)?;
     columns.add::<u32>("large_pairs", room.large_pairs)?;
     columns.add::<Total>("totals", pairs_of.larges as usize)?;
     let indirect = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT;
     columns.add_for::<[u32; 3]>("groups", pairs_of.kinds as usize + 3, indirect)?;
+    columns.add::<Drawn>("drawn", rows)?;
+    columns.add::<Seen>("seen", rows)?;
     columns.add::<u32>("status", PAIR_STATUS_LEN)?;
     let mut status = [0; PAIR_STATUS_LEN];
     status[status_place("FIRST_NOT_FINITE")] = u32::MAX;
@@ -339,10 +341,10 @@ pub fn grow(
     for name in ["partners_a", "partners_b"] {
         columns.reserve(name, (room.partners + 1) * rows)?;
     }
-    columns.reserve("incidents", (room.partners + plan.ends + 2) * rows)?;
+    columns.reserve("incidents", (room.partners + plan.joints.ends + 2) * rows)?;
     for name in ["memories_a", "memories_b", "touches", "live"] {
         columns.reserve(name, room.pairs)?;
     }
-    columns.reserve("presses", plan.loops + room.pairs)?;
+    columns.reserve("presses", plan.joints.loops + room.pairs)?;
     columns.reserve("large_pairs", room.large_pairs)
 }

@@ -171,17 +171,17 @@ impl PairKernels {
                 &make("start", "ch06_pair_start", "pair_start", false)?,
                 name_lists,
             )?,
-            limits: some(plan.limits > 0, || {
+            limits: some(plan.joints.limits > 0, || {
                 make("limits", "ch06_limits", "solve_limits", false)
             })?,
-            loops: some(plan.loops > 0, || {
+            loops: some(plan.joints.loops > 0, || {
                 let loops = make("loops", "ch06_loops", "solve_loops", false)?;
                 loops.renamed(&[("loop_presses", "presses")])
             })?,
             solve: solve(false)?,
             solve_last: solve(true)?,
             advance: some(plan.loose, || both("advance", "pair_advance"))?,
-            trees: some(plan.joints, || both("trees", "pair_trees"))?,
+            trees: some(plan.joints.any, || both("trees", "pair_trees"))?,
             restore: some(plan.bounces, restore)?,
             kick: some(plan.poles > 0, || {
                 make("kick", "ch06_pair_kick", "pair_kick", false)
@@ -310,11 +310,11 @@ fn constants(plan: &Plan, last: bool) -> Vec<(&'static str, f64)> {
     vec![
         ("POINTS", f64::from(plan.points)),
         ("BOUNCES", flag(plan.bounces)),
-        ("IGNORES", flag(plan.ignores)),
-        ("JOINTS", flag(plan.joints)),
-        ("HINGES", flag(plan.hinges)),
-        ("RODS", flag(plan.rods)),
-        ("EULER_LIMITS", flag(plan.euler)),
+        ("IGNORES", flag(plan.joints.any)),
+        ("JOINTS", flag(plan.joints.any)),
+        ("HINGES", flag(plan.joints.hinges)),
+        ("RODS", flag(plan.joints.rods)),
+        ("EULER_LIMITS", flag(plan.joints.euler)),
         ("MOVING_LARGE", flag(!plan.larges.is_empty())),
         ("PIVOTS", flag(plan.pivots)),
         ("PULLS", flag(plan.poles > 0)),

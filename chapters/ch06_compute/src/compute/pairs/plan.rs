@@ -18,6 +18,9 @@ pub const ON_POINT: u32 = 2;
 /// Set in the list of a body where a row is a limit's: `common/pairing.wgsl` has it too.
 const OF_LIMIT: u32 = 1 << 31;
 
+/// Edge of a cell, in reaches of the widest body of the grid.
+const EDGE: f32 = 2.2;
+
 /// So many cells a body may look ahead and still be found in the grid. Beyond, all others look at it
 /// wherever they are.
 const CELLS_AHEAD: f32 = 1.0;
@@ -34,70 +37,81 @@ pub struct Plan {
     pub kinds: Vec<u32>,
     /// The most points of a pair.
     pub points: u32,
-    /// Whether there are joints.
-    pub joints: bool,
-    /// Whether trees have hinges.
-    pub hinges: bool,
-    /// Whether trees have rods.
-    pub rods: bool,
-    /// Whether any body that moves is in no tree.
-    pub loose: bool,
-    /// Angle limits.
-    pub limits: usize,
-    /// Joints that close loops.
-    pub loops: usize,
-    /// The most limits and loops that end at a body.
-    pub ends: usize,
     /// Whether anything bounces.
     pub bounces: bool,
-    /// Whether any bodies pass through each other.
-    pub ignores: bool,
-    /// Rows of the large bodies that move, in order.
-    pub larges: Vec<u32>,
     /// Reach beyond which a body is large, m.
     pub largest_in_grid: f32,
     /// The farthest that a body in the grid reaches, m.
     pub widest: f32,
-    /// A body that looks farther ahead than this, m, is too fast for the grid.
-    pub fast: f32,
-    /// Whether any limit is one of pitch, yaw and roll.
-    pub euler: bool,
+    /// Rows of the large bodies that move, in order.
+    pub larges: Vec<u32>,
+    /// Joints, and which kinds of them there are.
+    pub joints: Jointed,
+    /// Whether any body that moves is in no tree.
+    pub loose: bool,
     /// Whether any body hangs on a fixed point.
     pub pivots: bool,
     /// How many poles there are. Where there are any, what pulls a body depends on where others are.
     pub poles: usize,
 }
+
+/// Joints, and which kinds of them there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Jointed {
+    /// Whether there are any.
+    pub any: bool,
+    /// Whether trees have hinges.
+    pub hinges: bool,
+    /// Whether trees have rods.
+    pub rods: bool,
+    /// Angle limits.
+    pub limits: usize,
+    /// Whether any of them is one of pitch, yaw and roll.
+    pub euler: bool,
+    /// Joints that close loops.
+    pub loops: usize,
+    /// The most limits and loops that end at a body.
+    pub ends: usize,
+}
 // ANCHOR_END: plan
+
+impl Jointed {
+    fn of(scene: &Scene, trees: &Trees) -> Self {
+        let has = |kinds: &[u32]| trees.nodes.iter().any(|node| kinds.contains(&node.kind));
+        let ends = (0..scene.bodies.len()).map(|row| ends_at(trees, row).count());
+        Self {
+            any: !scene.joints.is_empty(),
+            hinges: has(&[HINGE]),
+            rods: has(&[ROD, TWO_RODS]),
+            limits: trees.limits.len(),
+            euler: trees.limits.iter().any(|limit| limit.kind == EULER),
+            loops: trees.loops.len(),
+            ends: ends.max().unwrap_or(0),
+        }
+    }
+}
 
 impl Plan {
     /// Of a scene.
     #[must_use]
     pub fn of(scene: &Scene, bodies: &Bodies, forces: &Forces, trees: &Trees) -> Self {
-        let mut aside: Vec<u32> = forces
+        let mut on_point: Vec<u32> = forces
             .pivots
             .iter()
             .map(|pivot| pivot.body as u32)
             .collect();
-        aside.sort_unstable();
-        let moving: Vec<usize> = (0..bodies.rows())
-            .filter(|&row| !bodies.is_static(row))
-            .collect();
-        let reaches = moving.iter().map(|&row| bodies.place[row].reach).collect();
-        let limit = largest_in_grid(reaches);
-        let has = |kinds: &[u32]| trees.nodes.iter().any(|node| kinds.contains(&node.kind));
-        let mut is_in_tree = vec![false; bodies.rows()];
-        for row in trees.nodes.iter().filter_map(Node::row) {
-            is_in_tree[row] = true;
-        }
-        let small = bodies
-            .place
-            .iter()
-            .map(|place| place.reach)
-            .filter(|&reach| reach <= limit);
-        let kinds = kinds_of(bodies, &aside);
+        on_point.sort_unstable();
+        let moves = |row: &usize| !bodies.is_static(*row);
+        let moving: Vec<usize> = (0..bodies.rows()).filter(moves).collect();
+        let reach = |row: usize| bodies.place[row].reach;
+        let limit = largest_in_grid(moving.iter().map(|&row| reach(row)).collect());
+        let kinds = kinds_of(bodies, &on_point);
         let points = kinds.iter().map(|&kind| MOST_POINTS[kind as usize]).max();
-        let is_large = |row: &u32| bodies.place[*row as usize].reach > limit;
-        let larges = moving.iter().map(|&row| row as u32).filter(is_large);
+        let small = (0..bodies.rows())
+            .map(reach)
+            .filter(|&reach| reach <= limit);
+        let is_large = |row: &u32| reach(*row as usize) > limit && !on_point.contains(row);
+        let in_trees = trees.nodes.iter().filter_map(Node::row).count();
         Self {
             points: points.unwrap_or(1),
             kinds,
@@ -105,25 +119,26 @@ impl Plan {
                 .material
                 .iter()
                 .any(|material| material.restitution > 0.0),
-            ignores: !scene.joints.is_empty(),
-            larges: larges.filter(|row| !aside.contains(row)).collect(),
             largest_in_grid: limit,
             widest: small.fold(0.0, f32::max),
-            fast: CELLS_AHEAD
-                * Grid::of(&bodies.place, |row| bodies.place[row].reach <= limit).edge,
-            euler: trees.limits.iter().any(|limit| limit.kind == EULER),
+            larges: moving
+                .iter()
+                .map(|&row| row as u32)
+                .filter(is_large)
+                .collect(),
+            joints: Jointed::of(scene, trees),
+            loose: moving.len() > in_trees,
             pivots: !forces.pivots.is_empty(),
             poles: poles_of(scene).len(),
-            joints: !scene.joints.is_empty(),
-            hinges: has(&[HINGE]),
-            rods: has(&[ROD, TWO_RODS]),
-            loose: moving.iter().any(|&row| !is_in_tree[row]),
-            limits: trees.limits.len(),
-            loops: trees.loops.len(),
-            ends: (0..bodies.rows())
-                .map(|row| ends_at(trees, row).count())
-                .max()
-                .unwrap_or(0),
+        }
+    }
+
+    /// Edge of a cell, m.
+    fn edge(&self) -> f32 {
+        if self.widest > 0.0 {
+            EDGE * self.widest
+        } else {
+            1.0
         }
     }
 
@@ -147,10 +162,10 @@ impl Plan {
             large_room: large_room as u32,
             low_slots,
             high_slots,
-            fast: self.fast,
+            fast: CELLS_AHEAD * self.edge(),
             poles: self.poles as u32,
-            before: self.loops as u32,
-            limits: self.limits as u32,
+            before: self.joints.loops as u32,
+            limits: self.joints.limits as u32,
             widest: self.widest,
             spare: 0,
         }
@@ -219,9 +234,12 @@ fn kinds_of(bodies: &Bodies, aside: &[u32]) -> Vec<u32> {
 /// The grid of a scene's bodies that aren't large.
 #[must_use]
 pub fn grid_of(bodies: &Bodies, plan: &Plan, room: usize) -> GridOf {
-    let is_small = |row: usize| bodies.place[row].reach <= plan.largest_in_grid;
-    let grid = Grid::of(&bodies.place, is_small);
-    let reaches = bodies.place.iter().map(|place: &Place| place.reach);
+    let small = bodies
+        .place
+        .iter()
+        .filter(|place| place.reach <= plan.largest_in_grid);
+    let small: Vec<Place> = small.copied().collect();
+    let grid = Grid::with_edge(plan.edge(), &small);
     let [slots_x, slots_y, slots_z] = grid.slots;
     GridOf {
         edge: grid.edge,
@@ -233,8 +251,7 @@ pub fn grid_of(bodies: &Bodies, plan: &Plan, room: usize) -> GridOf {
         room: room as u32,
         starts: grid.count() as u32 + 2,
         margin: MARGIN,
-        most_margin: plan.fast,
-        widest: reaches.fold(0.0, f32::max),
+        widest: plan.widest,
         ..GridOf::default()
     }
 }
