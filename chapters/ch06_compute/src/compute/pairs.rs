@@ -32,6 +32,7 @@ pub struct Pairs {
     plan: Plan,
     rules: Rules,
     grid: GridOf,
+    #[expect(clippy::struct_field_names, reason = "the uniform's name")]
     pairs_of: PairsOf,
     room: Room,
     /// What was written last, so that it is written again only when it changes.

@@ -56,6 +56,10 @@ pub struct Plan {
 }
 
 /// Joints, and which kinds of them there are.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each leaves out a part of its own"
+)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Jointed {
     /// Whether there are any.
