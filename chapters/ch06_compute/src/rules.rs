@@ -11,8 +11,8 @@ pub const MARGIN: f32 = 0.005;
 /// Depth that is left alone, m: who rests stays a little inside, or contacts would come and go.
 pub const SLOP: f32 = 0.0005;
 
-/// The share of the depth beyond the slop that a substep pushes out, measured in `pile`: with 0.2 the
-/// deepest of 1,000 balls stay five times as deep.
+/// The share of the depth beyond the slop that a substep pushes out, measured by `--example settled`: with
+/// 0.2 the 99th percentile of the depths of a pile is 1.8 times as deep, the deepest nearly four times.
 pub const PUSH_SHARE: f32 = 0.9;
 
 /// The same where a pair has several points, which push against each other.

@@ -6,11 +6,12 @@ pub mod columns;
 mod explain;
 mod kernels;
 pub mod plan;
+mod state;
 
-use ch00_scenes::{Counters, Scene, State};
+use ch00_scenes::{Counters, Scene};
 
 pub use columns::Room;
-use columns::{allocate, fits, grow, no_mouse, pair_counts, upload, upload_joints, write_momenta};
+use columns::{allocate, fits, grow, pair_counts, upload};
 use kernels::{PairKernels, Sizes};
 use plan::{Plan, grid_of};
 
@@ -18,9 +19,7 @@ use super::error::ComputeError;
 use crate::bodies::Bodies;
 use crate::lanes::forces::Forces;
 use crate::own_row::tree::Trees;
-use crate::rows::{
-    Drawn, GridOf, Mouse, Node, PAIR_STATUS_LEN, PairsOf, Rigid, Seen, status_place,
-};
+use crate::rows::{GridOf, Node, PAIR_STATUS_LEN, PairsOf, status_place};
 use crate::rules::Rules;
 use crate::stream::{Columns, Gpu, Passes, StreamError, Timer};
 
@@ -32,8 +31,7 @@ pub struct Pairs {
     plan: Plan,
     rules: Rules,
     grid: GridOf,
-    #[expect(clippy::struct_field_names, reason = "the uniform's name")]
-    pairs_of: PairsOf,
+    lists: PairsOf,
     room: Room,
     /// What was written last, so that it is written again only when it changes.
     dt: f32,
@@ -89,7 +87,7 @@ impl Pairs {
             plan,
             rules,
             grid,
-            pairs_of,
+            lists: pairs_of,
             room,
             dt: f32::NAN,
             asked: 0,
@@ -145,7 +143,7 @@ impl Pairs {
         Sizes {
             rows: self.grid.rows as usize,
             starts: self.grid.starts as usize,
-            pair_counts: pair_counts(&self.grid, &self.pairs_of),
+            pair_counts: pair_counts(&self.grid, &self.lists),
             larges: self.plan.larges.len(),
             nodes: self.trees.nodes.len(),
             substeps: self.rules.substeps,
@@ -206,10 +204,10 @@ impl Pairs {
         };
         grow(&mut self.columns, &self.grid, &self.plan, self.room)?;
         self.grid.room = self.room.partners as u32;
-        self.pairs_of.room = self.room.pairs as u32;
-        self.pairs_of.large_room = self.room.large_pairs as u32;
+        self.lists.room = self.room.pairs as u32;
+        self.lists.large_room = self.room.large_pairs as u32;
         self.columns.write("grid", &[self.grid])?;
-        self.columns.write("pairs_of", &[self.pairs_of])?;
+        self.columns.write("pairs_of", &[self.lists])?;
         self.columns
             .write_at("status", status_place("HALTED"), &[0_u32])
     }
@@ -256,95 +254,6 @@ impl Pairs {
     pub fn not_finite(&self) -> Option<(u32, u32)> {
         let rows = self.says("NOT_FINITE");
         (rows > 0).then(|| (self.says("FIRST_NOT_FINITE"), rows))
-    }
-
-    /// Waits for all steps, and writes where every body is into `state`.
-    ///
-    /// # Errors
-    /// As for [`Self::settle`].
-    pub fn read(&mut self, state: &mut State) -> Result<(), StreamError> {
-        self.settle()?;
-        let rigids: Vec<Rigid> = self.columns.read("rigids")?;
-        state.clear();
-        for rigid in &rigids {
-            state.push(
-                rigid.position.as_dvec3(),
-                rigid.attitude.as_dquat().normalize(),
-                rigid.velocity.as_dvec3(),
-                rigid.angular_velocity.as_dvec3(),
-            );
-        }
-        Ok(())
-    }
-
-    /// Takes over where bodies are and how they move; what they pressed is forgotten.
-    ///
-    /// # Errors
-    /// As for [`Self::settle`].
-    pub fn write(&mut self, state: &State) -> Result<(), StreamError> {
-        self.settle()?;
-        self.bodies.write(state);
-        let mut rigids: Vec<Rigid> = self.columns.read("rigids")?;
-        for (row, rigid) in rigids.iter_mut().enumerate() {
-            rigid.position = self.bodies.place[row].position;
-            rigid.attitude = self.bodies.attitude[row];
-            rigid.velocity = self.bodies.motion[row].velocity;
-            rigid.angular_velocity = self.bodies.spin[row].angular_velocity;
-        }
-        self.columns.write("rigids", &rigids)?;
-        write_momenta(&mut self.columns, &self.bodies)?;
-        upload_joints(&mut self.columns, self.bodies.rows(), &self.trees)?;
-        for name in ["partners_a", "partners_b"] {
-            self.columns.clear(name)?;
-        }
-        if self.draws {
-            self.write_drawn()
-        } else {
-            Ok(())
-        }
-    }
-
-    /// Writes rows for drawing from now on: a row [`Drawn`] a body, in column `drawn`, and a row [`Seen`]
-    /// in `seen`.
-    ///
-    /// # Errors
-    /// No memory for them.
-    pub fn draw(&mut self) -> Result<(), StreamError> {
-        self.draws = true;
-        self.write_drawn()
-    }
-
-    /// Writes the rows for drawing as if all had stood still.
-    fn write_drawn(&mut self) -> Result<(), StreamError> {
-        let rows = 0..self.bodies.rows();
-        let drawn = |row: usize| {
-            let (position, orientation) =
-                (self.bodies.place[row].position, self.bodies.attitude[row]);
-            Drawn {
-                position,
-                orientation,
-                position_last: position,
-                orientation_last: orientation,
-                ..Drawn::default()
-            }
-        };
-        let seen = |row: usize| Seen {
-            velocity: self.bodies.motion[row].velocity,
-            angular_velocity: self.bodies.spin[row].angular_velocity,
-            ..Seen::default()
-        };
-        let (drawn, seen): (Vec<_>, Vec<_>) = rows.map(|row| (drawn(row), seen(row))).unzip();
-        self.columns.write("drawn", &drawn)?;
-        self.columns.write("seen", &seen)
-    }
-
-    /// The mouse pulls from now on, or lets go.
-    ///
-    /// # Errors
-    /// A lost device.
-    pub fn pull(&mut self, mouse: Option<Mouse>) -> Result<(), StreamError> {
-        self.columns
-            .write("mouse", &[mouse.unwrap_or_else(no_mouse)])
     }
 
     /// Passes, columns, and bytes a body and a pair.

@@ -7,7 +7,7 @@ use crate::grid::{Grid, largest_in_grid};
 use crate::lanes::forces::Forces;
 use crate::own_row::narrow::{PAIR_KINDS, pair_kind};
 use crate::own_row::tree::Trees;
-use crate::rows::{EULER, GridOf, HINGE, NONE, Node, PairsOf, Place, Pole, ROD, TWO_RODS};
+use crate::rows::{EULER, GridOf, HINGE, Limit, NONE, Node, PairsOf, Place, Pole, ROD, TWO_RODS};
 use crate::rules::MARGIN;
 
 /// A body that is too large for the grid.
@@ -64,14 +64,14 @@ pub struct Plan {
 pub struct Jointed {
     /// Whether there are any.
     pub any: bool,
-    /// Whether trees have hinges.
-    pub hinges: bool,
-    /// Whether trees have rods.
-    pub rods: bool,
+    /// Hinges of trees.
+    pub hinges: usize,
+    /// Bodies of trees that hang on rods.
+    pub rods: usize,
     /// Angle limits.
     pub limits: usize,
-    /// Whether any of them is one of pitch, yaw and roll.
-    pub euler: bool,
+    /// Those of pitch, yaw and roll.
+    pub euler: usize,
     /// Joints that close loops.
     pub loops: usize,
     /// The most limits and loops that end at a body.
@@ -81,14 +81,18 @@ pub struct Jointed {
 
 impl Jointed {
     fn of(scene: &Scene, trees: &Trees) -> Self {
-        let has = |kinds: &[u32]| trees.nodes.iter().any(|node| kinds.contains(&node.kind));
+        let count = |kinds: &[u32]| {
+            let nodes = trees.nodes.iter();
+            nodes.filter(|node| kinds.contains(&node.kind)).count()
+        };
+        let is_euler = |limit: &&Limit| limit.kind == EULER;
         let ends = (0..scene.bodies.len()).map(|row| ends_at(trees, row).count());
         Self {
             any: !scene.joints.is_empty(),
-            hinges: has(&[HINGE]),
-            rods: has(&[ROD, TWO_RODS]),
+            hinges: count(&[HINGE]),
+            rods: count(&[ROD, TWO_RODS]),
             limits: trees.limits.len(),
-            euler: trees.limits.iter().any(|limit| limit.kind == EULER),
+            euler: trees.limits.iter().filter(is_euler).count(),
             loops: trees.loops.len(),
             ends: ends.max().unwrap_or(0),
         }
