@@ -37,11 +37,16 @@ fn gather(row: u32, large: u32, before: u32) -> Total {
         sum = totals[large];
     }
     let count = incidents[row];
-    var next = incidents[(before + 1u) * grid.capacity + row];
-    for (var k = before + 1u; k <= count; k++) {
-        let entry = next;
-        next = incidents[(k + 1u) * grid.capacity + row];
-        add(&sum, given_by(entry >> 1u, entry & 1u));
+    // Two are asked for at once: what waits for memory waits once for both.
+    for (var k = before + 1u; k <= count; k += 2u) {
+        let first = incidents[k * grid.capacity + row];
+        let second = incidents[min(k + 1u, count) * grid.capacity + row];
+        let one = given_by(first >> 1u, first & 1u);
+        let two = given_by(second >> 1u, second & 1u);
+        add(&sum, one);
+        if k < count {
+            add(&sum, two);
+        }
     }
     return sum;
 }
@@ -212,7 +217,9 @@ fn pair_trees(
         bone = bone_of(rigid);
         let push = push_of(rigid, sum);
         bone.push = Rate(push.velocity, push.angular_velocity);
-        take_back(&bone, joined[at]);
+        let last = joined[at];
+        take_back(&bone, last);
+        holding.momentum -= last.angular;
         tell_bone(lane, bone);
     }
     workgroupBarrier();
@@ -230,7 +237,7 @@ fn pair_trees(
         joined[at] = of_tree;
         rigid.velocity = bone.rate.velocity + change[0].velocity;
         rigid.angular_velocity = bone.rate.spin + change[0].spin;
-        holding.momentum = momentum_of(rigid);
+        holding.momentum += of_tree.angular;
         let push = Push(
             bone.push.velocity + change[1].velocity, 0.0,
             bone.push.spin + change[1].spin, 0.0,

@@ -4,7 +4,6 @@
 // Needs common/index, common/rotation, rows, common/grid, common/pairing.
 
 @group(0) @binding(0) var<uniform> grid: GridOf;
-@group(0) @binding(1) var<uniform> pairs_of: PairsOf;
 @group(0) @binding(2) var<storage, read> rigids: array<Rigid>;
 @group(0) @binding(3) var<storage, read_write> bounds: array<Bound>;
 @group(0) @binding(4) var<storage, read_write> slots: array<u32>;
@@ -48,9 +47,18 @@ fn is_whole(rigid: Rigid) -> bool {
         && is_finite(rigid.attitude.w);
 }
 
-// The farthest that a body of the workgroup looks ahead, so that not every row asks for the same number
-// in memory.
+// The farthest that a body of the workgroup looks ahead, and how many look farther than half a cell, a cell
+// and two: so that not every row asks for the same number in memory.
 var<workgroup> ahead_here: atomic<u32>;
+var<workgroup> beyond_here: array<atomic<u32>, 3>;
+
+fn note_far(far: f32) {
+    for (var k = 0u; k < 3u; k++) {
+        if far > 0.5 * f32(1u << k) * grid.edge {
+            atomicAdd(&beyond_here[k], 1u);
+        }
+    }
+}
 
 // ANCHOR: cells
 @compute @workgroup_size(WORKGROUP)
@@ -62,6 +70,9 @@ fn pair_cells(
     if lane == 0u {
         atomicStore(&ahead_here, 0u);
     }
+    if lane < 3u {
+        atomicStore(&beyond_here[lane], 0u);
+    }
     workgroupBarrier();
     if row < grid.rows && atomicLoad(&status[HALTED]) == 0u {
         bound_row(row);
@@ -69,6 +80,9 @@ fn pair_cells(
     workgroupBarrier();
     if lane == 0u {
         atomicMax(&status[AHEAD], atomicLoad(&ahead_here));
+    }
+    if lane < 3u {
+        atomicAdd(&status[HALF_CELL + lane], atomicLoad(&beyond_here[lane]));
     }
 }
 
@@ -89,7 +103,7 @@ fn bound_row(row: u32) {
         bound.high = rigid.position + reach;
         if rigid.role == LARGE {
             bound.flags = OVERSIZED;
-        } else if far > pairs_of.fast {
+        } else if far > bitcast<f32>(atomicLoad(&status[LOOK])) {
             bound.flags = RUSHING;
             atomicAdd(&status[FAST], 1u);
         } else {
@@ -97,6 +111,7 @@ fn bound_row(row: u32) {
             // Numbers that aren't negative are in the order of their bits.
             atomicMax(&ahead_here, bitcast<u32>(far));
         }
+        note_far(far);
     }
     bounds[row] = bound;
     slots[row] = slot;

@@ -14,8 +14,8 @@
 // The plan: whether any large body moves.
 override MOVING_LARGE: bool = true;
 
-// Most kinds of pairs.
-const MOST_KINDS: u32 = 10u;
+// Most bodies that are too fast for the grid, if they can be helped.
+const MOST_RUSHING: u32 = 32u;
 
 fn set_groups(place: u32, rows: u32) {
     let count = groups_for(rows);
@@ -47,10 +47,24 @@ fn pair_plan() {
         set_groups(slot + 1u, select(end - first, 0u, halted));
     }
     status[LIVE] = 0u;
-    status[AHEAD] = 0u;
+    look_next();
     set_groups(0u, 0u);
-    set_groups(kinds + 1u, select(pairs_of.limits, 0u, halted));
-    set_groups(kinds + 2u, select(pairs_of.before, 0u, halted));
+    set_groups(kinds + 1u, select(pairs_of.before, 0u, halted));
+}
+
+// How far a body may look ahead in the next step and still be found in the grid. All look as far as the one
+// that looks farthest; so the few that are faster than all others are not in it, and all others look at
+// them wherever they are.
+fn look_next() {
+    var cells = 4.0;
+    for (var k = 3u; k > 0u; k--) {
+        if status[HALF_CELL + k - 1u] <= MOST_RUSHING {
+            cells = 0.5 * f32(1u << (k - 1u));
+        }
+        status[HALF_CELL + k - 1u] = 0u;
+    }
+    status[LOOK] = bitcast<u32>(cells * grid.edge);
+    status[AHEAD] = 0u;
 }
 // ANCHOR_END: plan
 

@@ -1,6 +1,8 @@
-// A substep of the pairs, an invocation a pair: from what both bodies are now it mends its own impulses.
-// Needs common/index, common/rotation, rows, common/narrow_core, common/narrow_spots, common/side,
-// common/touching, common/contact.
+// A substep of the pairs and the angle limits, an invocation each: from what both bodies are now it mends its
+// own impulses. Limits come first; where their workgroups end, those of the pairs begin.
+// Needs common/index, common/trigonometry, common/rotation, common/rotation_vector, common/swing_twist,
+// rows, common/narrow_core, common/narrow_spots, common/side, common/touching, common/contact,
+// common/symmetric, common/point_reply, common/limit.
 
 @group(0) @binding(0) var<uniform> step: Step;
 @group(0) @binding(1) var<storage, read> live: array<vec4u>;
@@ -12,8 +14,12 @@
 @group(0) @binding(7) var<storage, read> befores: array<Before>;
 @group(0) @binding(8) var<uniform> pairs_of: PairsOf;
 
-// The plan: whether any pair bounces, and whether it is the last substep.
+@group(0) @binding(9) var<storage, read_write> limits: array<Limit>;
+@group(0) @binding(10) var<storage, read_write> turned: array<Turned>;
+
+// The plan: whether any pair bounces, whether there are angle limits, and whether it is the last substep.
 override BOUNCES: bool = true;
+override LIMITS: bool = true;
 override LAST: bool = false;
 
 // The contact of a pair with so many points.
@@ -45,11 +51,34 @@ fn material_of(pair: u32) -> Material {
 // ANCHOR: solve
 @compute @workgroup_size(WORKGROUP)
 fn pair_solve(@builtin(global_invocation_id) id: vec3u) {
-    let at = row_index(id);
-    if at >= status[LIVE] {
-        return;
+    let row = row_index(id);
+    if LIMITS && row < pairs_of.limits {
+        solve_limit_row(row);
     }
-    let noted = live[at];
+    let before = invocations_of_limits();
+    if row >= before && row - before < status[LIVE] {
+        solve_live(live[row - before]);
+    }
+}
+
+// What the workgroups of limits have, in whole workgroups.
+fn invocations_of_limits() -> u32 {
+    if !LIMITS {
+        return 0u;
+    }
+    return (pairs_of.limits + WORKGROUP - 1u) / WORKGROUP * WORKGROUP;
+}
+
+fn solve_limit_row(row: u32) {
+    let limit = limits[row];
+    var a = side_of(rigids[limit.a]);
+    var b = side_of(rigids[limit.b]);
+    let solved = solve_limit(limit, turned[row], &a, &b, step.h);
+    limits[row].impulses = solved.impulses;
+    turned[row] = solved.gives;
+}
+
+fn solve_live(noted: vec4u) {
     let pair = noted.x;
     var m = manifold_of(pair, noted.w);
     let material = material_of(pair);
@@ -80,11 +109,11 @@ fn pair_solve(@builtin(global_invocation_id) id: vec3u) {
 // Restitution, once at the end of a step: a body's mass is now shared among the pairs that bounce.
 @compute @workgroup_size(WORKGROUP)
 fn pair_restore(@builtin(global_invocation_id) id: vec3u) {
-    let at = row_index(id);
-    if at >= status[LIVE] {
+    let row = row_index(id);
+    if row >= status[LIVE] {
         return;
     }
-    let noted = live[at];
+    let noted = live[row];
     let pair = noted.x;
     let material = material_of(pair);
     let approach = memories[pair].approach;

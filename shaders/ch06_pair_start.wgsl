@@ -53,7 +53,9 @@ fn pair_start(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     if row == 0u {
-        let count = groups_for(status[LIVE]);
+        // Limits have workgroups of their own, before those of the pairs.
+        let limits = (pairs_of.limits + WORKGROUP - 1u) / WORKGROUP * WORKGROUP;
+        let count = groups_for(limits + status[LIVE]);
         groups[0] = count.x;
         groups[1] = count.y;
         groups[2] = count.z;

@@ -104,11 +104,6 @@ fn push_of(rigid: Rigid, sum: Total) -> Push {
     return Push(sum.push * rigid.inverse_mass, 0.0, moved_by(rigid, sum.push_angular), 0.0);
 }
 
-// L: angular momentum, of a body that isn't round.
-fn momentum_of(rigid: Rigid) -> vec3f {
-    return rotation_moment(rigid.attitude, 1.0 / rigid.inverse_inertia, rigid.angular_velocity);
-}
-
 // Whether the three moments are equal, as a ball's are.
 fn is_round(inertia: vec3f) -> bool {
     return inertia.x == inertia.y && inertia.y == inertia.z;

@@ -93,9 +93,10 @@ fn solve_tree(lane: u32, node: Node, bone: Bone, link: Link, h: f32) -> Unfolded
     }
     let deepest = workgroupUniformLoad(&levels);
     var kept: Kept;
+    // What a node is without its children all of them find at once, before the first level waits for none.
+    var body = stands(node, bone, link, h);
     for (var up = 0u; up <= deepest; up++) {
         if node.kind != EMPTY && node.depth == deepest - up {
-            var body = stands(node, bone, link, h);
             for (var child = 0u; child < min(node.children, NODES); child++) {
                 let felt = told_felt(lane_of(node.first_child + child));
                 carried_plus(&body, felt);

@@ -195,8 +195,6 @@ rows! {
         low_slots: u32, "", "";
         /// The same for kinds 8 and 9.
         high_slots: u32, "", "";
-        /// A body that looks farther ahead than this is too fast for the grid.
-        fast: f32, "", "m";
         /// How many poles there are.
         poles: u32, "", "";
         /// How many rows of joints that close loops stand before those of pairs.
@@ -206,7 +204,9 @@ rows! {
         /// The farthest that a body in the grid reaches.
         widest: f32, "", "m";
         /// Unused.
-        spare: u32, "", "";
+        spare_1: u32, "", "";
+        /// Unused.
+        spare_2: u32, "", "";
     }
 
     /// How many counts a scan makes starts of.
@@ -263,7 +263,7 @@ rows! {
 }
 
 /// What the kernels for pairs say of how it goes, behind [`STATUS`].
-pub const PAIR_STATUS: [(&str, &str); 6] = [
+pub const PAIR_STATUS: [(&str, &str); 10] = [
     (
         "HALTED",
         "1 where a step was not made, since something had no room.",
@@ -278,6 +278,16 @@ pub const PAIR_STATUS: [(&str, &str); 6] = [
         "AHEAD",
         "How far the fastest body of the grid looks ahead in this step, m: the bits of the number.",
     ),
+    (
+        "LOOK",
+        "A body that looks farther ahead is not in the grid, m: the bits of the number.",
+    ),
+    (
+        "HALF_CELL",
+        "How many bodies look farther ahead than half a cell in this step.",
+    ),
+    ("ONE_CELL", "How many look farther than a cell."),
+    ("TWO_CELLS", "How many look farther than two."),
     (
         "KIND_FIRST",
         "Here and behind: where the pairs of each kind begin; one more at the end.",

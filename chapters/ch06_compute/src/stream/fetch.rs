@@ -1,9 +1,13 @@
 //! Bringing rows down and waiting for them.
 
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, PoisonError, mpsc};
+use std::time::Duration;
 
 use super::buffers::readable;
 use super::{Gpu, StreamError};
+
+/// How long rows may still be on their way when the device has nothing left to do.
+const LONGEST: Duration = Duration::from_secs(10);
 
 /// Some rows of a column.
 #[derive(Clone, Copy, Debug)]
@@ -42,14 +46,15 @@ impl Fetch {
             encoder.copy_buffer_to_buffer(part.buffer, part.offset, &shared, at, part.bytes);
             at += part.bytes;
         }
-        let arrived = Arc::new(OnceLock::new());
-        let note = Arc::clone(&arrived);
+        let (tell, told) = mpsc::channel();
         encoder.map_buffer_on_submit(&shared, wgpu::MapMode::Read, 0..total, move |result| {
-            note.get_or_init(|| result.is_ok());
+            // Nobody listens any more where the wait below has failed.
+            let _ = tell.send(result.is_ok());
         });
         gpu.queue.submit([encoder.finish()]);
         gpu.wait()?;
-        if arrived.get() != Some(&true) {
+        // Another thread that waits for the same device may be the one that is told, and tell us late.
+        if told.recv_timeout(LONGEST) != Ok(true) {
             gpu.fail("it didn't bring rows down");
         }
         gpu.check()?;

@@ -25,6 +25,7 @@ const SHADERS: &[(&str, &str)] = shaders![
     "common/free_rotation.wgsl",
     "common/grid.wgsl",
     "common/index.wgsl",
+    "common/limit.wgsl",
     "common/link.wgsl",
     "common/narrow.wgsl",
     "common/narrow_axis.wgsl",

@@ -1,7 +1,7 @@
 //! The columns of pairs: made, filled, and made larger.
 
 use super::kernels::PER_BLOCK;
-use super::plan::{ON_POINT, Plan, TOO_LARGE, ends_at, poles_of};
+use super::plan::{CELLS_AHEAD, ON_POINT, Plan, TOO_LARGE, ends_at, poles_of};
 use crate::bodies::Bodies;
 use crate::lanes::forces::Forces;
 use crate::own_row::tree::Trees;
@@ -107,12 +107,13 @@ pub fn allocate(
     columns.add::<u32>("large_pairs", room.large_pairs)?;
     columns.add::<Total>("totals", pairs_of.larges as usize)?;
     let indirect = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::INDIRECT;
-    columns.add_for::<[u32; 3]>("groups", pairs_of.kinds as usize + 3, indirect)?;
+    columns.add_for::<[u32; 3]>("groups", pairs_of.kinds as usize + 2, indirect)?;
     columns.add::<Drawn>("drawn", rows)?;
     columns.add::<Seen>("seen", rows)?;
     columns.add::<u32>("status", PAIR_STATUS_LEN)?;
     let mut status = [0; PAIR_STATUS_LEN];
     status[status_place("FIRST_NOT_FINITE")] = u32::MAX;
+    status[status_place("LOOK")] = (CELLS_AHEAD * grid.edge).to_bits();
     columns.write("status", &status)?;
     add_uniforms(columns, grid, pairs_of)
 }

@@ -1,6 +1,6 @@
 //! The kernels of a step of pairs, each compiled once, and the order in which they run.
 
-use super::plan::Plan;
+use super::plan::{MOST_SPOTS, Plan};
 use crate::stream::{Gpu, Kernel, Passes, StreamError, source};
 
 /// Counts in a block of the scan: `ch06_pair_scan.wgsl` has it too.
@@ -92,7 +92,6 @@ pub struct PairKernels {
     start: Sided,
     solve: Sided,
     solve_last: Sided,
-    limits: Option<Kernel>,
     loops: Option<Kernel>,
     /// Bodies in no tree, and in the last substep.
     advance: Option<[Kernel; 2]>,
@@ -126,7 +125,8 @@ impl PairKernels {
         let meet = |(slot, &kind): (usize, &u32)| {
             let mut all = constants(plan, false);
             all.extend([("PAIR_KIND", f64::from(kind)), ("SLOT", slot as f64)]);
-            let kernel = kernel(gpu, "meet", "ch06_pair_meet", "pair_meet", &all)?;
+            let text = with_spots(&source("ch06_pair_meet")?, MOST_SPOTS[kind as usize]);
+            let kernel = compiled(gpu, "meet", &text, "pair_meet", &all)?;
             Sided::of(&kernel, name_meet)
         };
         let restore = || -> Result<_, StreamError> {
@@ -171,9 +171,6 @@ impl PairKernels {
                 &make("start", "ch06_pair_start", "pair_start", false)?,
                 name_lists,
             )?,
-            limits: some(plan.joints.limits > 0, || {
-                make("limits", "ch06_limits", "solve_limits", false)
-            })?,
             loops: some(plan.joints.loops > 0, || {
                 let loops = make("loops", "ch06_loops", "solve_loops", false)?;
                 loops.renamed(&[("loop_presses", "presses")])
@@ -219,11 +216,8 @@ impl PairKernels {
                 &self.solve
             };
             passes.run_indirect(&solve.0[side], "groups", 0)?;
-            if let Some(limits) = &self.limits {
-                passes.run_indirect(limits, "groups", self.meet.len() + 1)?;
-            }
             if let Some(loops) = &self.loops {
-                passes.run_indirect(loops, "groups", self.meet.len() + 2)?;
+                passes.run_indirect(loops, "groups", self.meet.len() + 1)?;
             }
             self.add_large(passes, sizes)?;
             if let Some(advance) = &self.advance {
@@ -256,7 +250,6 @@ impl PairKernels {
             "cells", "scan", "scatter", "sort", "find", "scan", "plan", "list", "meet", "start",
             "solve",
         ];
-        names.extend(self.limits.iter().map(|_| "limits"));
         names.extend(self.loops.iter().map(|_| "loops"));
         names.extend(self.advance.iter().map(|_| "advance"));
         names.extend(self.trees.iter().map(|_| "trees"));
@@ -314,6 +307,7 @@ fn constants(plan: &Plan, last: bool) -> Vec<(&'static str, f64)> {
         ("JOINTS", flag(plan.joints.any)),
         ("HINGES", flag(plan.joints.hinges > 0)),
         ("RODS", flag(plan.joints.rods > 0)),
+        ("LIMITS", flag(plan.joints.limits > 0)),
         ("EULER_LIMITS", flag(plan.joints.euler > 0)),
         ("MOVING_LARGE", flag(!plan.larges.is_empty())),
         ("PIVOTS", flag(plan.pivots)),
@@ -322,7 +316,16 @@ fn constants(plan: &Plan, last: bool) -> Vec<(&'static str, f64)> {
     ]
 }
 
-/// Compiles an entry point with those of the constants that its text has.
+/// A narrow phase with memory for so many points before four are chosen. An invocation has it to itself, and
+/// the more it has, the fewer of them a device runs at once.
+fn with_spots(text: &str, most: usize) -> String {
+    text.replace(
+        "const MOST_SPOTS: u32 = 20u;",
+        &format!("const MOST_SPOTS: u32 = {most}u;"),
+    )
+}
+
+/// Compiles an entry point of a shader.
 fn kernel(
     gpu: &Gpu,
     name: &'static str,
@@ -330,10 +333,20 @@ fn kernel(
     entry: &str,
     constants: &[(&'static str, f64)],
 ) -> Result<Kernel, StreamError> {
-    let text = source(file)?;
+    compiled(gpu, name, &source(file)?, entry, constants)
+}
+
+/// Compiles an entry point with those of the constants that its text has.
+fn compiled(
+    gpu: &Gpu,
+    name: &'static str,
+    text: &str,
+    entry: &str,
+    constants: &[(&'static str, f64)],
+) -> Result<Kernel, StreamError> {
     let has = |(constant, _): &&(&str, f64)| text.contains(&format!("override {constant}:"));
     let known: Vec<_> = constants.iter().filter(has).copied().collect();
-    Kernel::new(gpu, name, &text, entry, &known)
+    Kernel::new(gpu, name, text, entry, &known)
 }
 
 fn name_lists(side: usize) -> Vec<(&'static str, &'static str)> {
@@ -350,4 +363,15 @@ fn name_meet(side: usize) -> Vec<(&'static str, &'static str)> {
 
 fn name_solve(side: usize) -> Vec<(&'static str, &'static str)> {
     vec![("memories", MEMORIES[side])]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_narrow_phase_gets_memory_for_as_many_points_as_its_kind_needs() {
+        let text = source("ch06_pair_meet").expect("a shader");
+        assert!(with_spots(&text, 2).contains("MOST_SPOTS: u32 = 2u;"));
+    }
 }

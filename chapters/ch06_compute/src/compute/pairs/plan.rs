@@ -21,13 +21,17 @@ const OF_LIMIT: u32 = 1 << 31;
 /// Edge of a cell, in reaches of the widest body of the grid.
 const EDGE: f32 = 2.2;
 
-/// So many cells a body may look ahead and still be found in the grid. Beyond, all others look at it
-/// wherever they are.
-const CELLS_AHEAD: f32 = 1.0;
+/// So many cells a body may look ahead and still be found in the grid, in the first step. Then the kernels
+/// choose.
+pub const CELLS_AHEAD: f32 = 4.0;
 
 /// The most points that a pair of each kind has. Closed forms of balls have one; the others are cut to
 /// four.
 const MOST_POINTS: [u32; PAIR_KINDS as usize] = [1, 1, 1, 1, 4, 3, 4, 2, 4, 4];
+
+/// How many points the narrow phase finds before it chooses these: a capsule's segment has two ends, and a
+/// box may have one point that is deeper.
+pub const MOST_SPOTS: [usize; PAIR_KINDS as usize] = [1, 1, 1, 1, 20, 3, 20, 2, 20, 20];
 
 // ANCHOR: plan
 /// What the passes of a scene are specialised by.
@@ -56,10 +60,6 @@ pub struct Plan {
 }
 
 /// Joints, and which kinds of them there are.
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each leaves out a part of its own"
-)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Jointed {
     /// Whether there are any.
@@ -170,12 +170,11 @@ impl Plan {
             large_room: large_room as u32,
             low_slots,
             high_slots,
-            fast: CELLS_AHEAD * self.edge(),
             poles: self.poles as u32,
             before: self.joints.loops as u32,
             limits: self.joints.limits as u32,
             widest: self.widest,
-            spare: 0,
+            ..PairsOf::default()
         }
     }
 
