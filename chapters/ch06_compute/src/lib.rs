@@ -10,6 +10,7 @@ pub mod round_trip;
 pub mod rows;
 pub mod rules;
 pub mod schema;
+pub mod simd;
 pub mod stream;
 
 pub use compute::ENGINE as COMPUTE;

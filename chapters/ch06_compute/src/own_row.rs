@@ -6,4 +6,5 @@ pub mod contact;
 pub mod limits;
 pub mod loops;
 pub mod narrow;
+pub mod side;
 pub mod tree;

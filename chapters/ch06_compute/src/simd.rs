@@ -1,0 +1,22 @@
+//! Numbers in lanes: a formula that is written once and computed for one row or for eight at a time.
+//!
+//! A processor multiplies eight numbers as fast as one, if they lie side by side and none needs another
+//! instruction than the rest. So a formula is written over a [`Real`], which is `f32` or eight of them, without a
+//! branch that depends on a number: what depends is computed either way and chosen with [`Real::select`].
+//!
+//! A lane of eight has the bits that `f32` alone has: every operation here is one that IEEE 754 rounds
+//! correctly, or is made of such; multiply and add are never fused.
+
+mod matrix;
+mod quaternion;
+mod real;
+mod rows;
+mod trigonometry;
+mod vector;
+
+pub use matrix::{Mat3, Symmetric};
+pub use quaternion::Quat;
+pub use real::{Eight, Four, Mask, Real};
+pub use rows::{gather, scatter, transpose};
+pub use trigonometry::{arc_tangent_of, sine_cosine};
+pub use vector::Vec3;

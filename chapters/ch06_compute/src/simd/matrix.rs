@@ -1,0 +1,188 @@
+//! Matrices of three by three numbers, and symmetric ones, which need six.
+
+use std::ops::{Add, Mul};
+
+use super::{Real, Vec3};
+
+/// A matrix in each lane, by columns.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mat3<R> {
+    /// First column.
+    pub x: Vec3<R>,
+    /// Second column.
+    pub y: Vec3<R>,
+    /// Third column.
+    pub z: Vec3<R>,
+}
+
+impl<R: Real> Mat3<R> {
+    /// Of three columns.
+    #[inline]
+    pub fn from_cols(x: Vec3<R>, y: Vec3<R>, z: Vec3<R>) -> Self {
+        Self { x, y, z }
+    }
+
+    /// One where yes, the other where no.
+    #[inline]
+    #[must_use]
+    pub fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
+        Self {
+            x: Vec3::select(mask, yes.x, no.x),
+            y: Vec3::select(mask, yes.y, no.y),
+            z: Vec3::select(mask, yes.z, no.z),
+        }
+    }
+
+    /// Mᵀ v: what v is along the columns.
+    #[inline]
+    #[must_use]
+    pub fn transposed_times(self, v: Vec3<R>) -> Vec3<R> {
+        Vec3::new(self.x.dot(v), self.y.dot(v), self.z.dot(v))
+    }
+}
+
+impl<R: Real> Add for Mat3<R> {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self::from_cols(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl<R: Real> Mul<Vec3<R>> for Mat3<R> {
+    type Output = Vec3<R>;
+
+    #[inline]
+    fn mul(self, v: Vec3<R>) -> Vec3<R> {
+        self.x * v.x + self.y * v.y + self.z * v.z
+    }
+}
+
+/// A symmetric matrix in each lane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Symmetric<R> {
+    /// xx, yy, zz.
+    pub diagonal: Vec3<R>,
+    /// yz, zx, xy.
+    pub off: Vec3<R>,
+}
+
+impl<R: Real> Symmetric<R> {
+    /// The same number thrice on the diagonal.
+    #[inline]
+    #[must_use]
+    pub fn splat(number: R) -> Self {
+        Self {
+            diagonal: Vec3::splat(number),
+            off: Vec3::zero(),
+        }
+    }
+
+    /// u uᵀ.
+    #[inline]
+    #[must_use]
+    pub fn outer(u: Vec3<R>) -> Self {
+        Self {
+            diagonal: u * u,
+            off: Vec3::new(u.y * u.z, u.z * u.x, u.x * u.y),
+        }
+    }
+
+    /// u vᵀ + v uᵀ.
+    #[inline]
+    #[must_use]
+    pub fn outer_pair(u: Vec3<R>, v: Vec3<R>) -> Self {
+        Self {
+            diagonal: u * v * R::splat(2.0),
+            off: Vec3::new(
+                u.y * v.z + u.z * v.y,
+                u.z * v.x + u.x * v.z,
+                u.x * v.y + u.y * v.x,
+            ),
+        }
+    }
+
+    /// R diag(d) Rᵀ, where R's columns are `axes`: principal moments in world axes.
+    #[inline]
+    #[must_use]
+    pub fn turned(axes: Mat3<R>, moments: Vec3<R>) -> Self {
+        Self::outer(axes.x)
+            .scaled(moments.x)
+            .plus(Self::outer(axes.y).scaled(moments.y))
+            .plus(Self::outer(axes.z).scaled(moments.z))
+    }
+
+    /// The sum of both.
+    #[inline]
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            diagonal: self.diagonal + other.diagonal,
+            off: self.off + other.off,
+        }
+    }
+
+    /// All six times a number.
+    #[inline]
+    #[must_use]
+    pub fn scaled(self, number: R) -> Self {
+        Self {
+            diagonal: self.diagonal * number,
+            off: self.off * number,
+        }
+    }
+
+    /// S v.
+    #[inline]
+    #[must_use]
+    pub fn times(self, v: Vec3<R>) -> Vec3<R> {
+        let Self { diagonal, off } = self;
+        Vec3::new(
+            diagonal.x * v.x + off.z * v.y + off.y * v.z,
+            diagonal.y * v.y + off.z * v.x + off.x * v.z,
+            diagonal.z * v.z + off.y * v.x + off.x * v.y,
+        )
+    }
+
+    /// Its columns, which are its rows too.
+    #[inline]
+    #[must_use]
+    pub fn columns(self) -> [Vec3<R>; 3] {
+        let Self { diagonal, off } = self;
+        [
+            Vec3::new(diagonal.x, off.z, off.y),
+            Vec3::new(off.z, diagonal.y, off.x),
+            Vec3::new(off.y, off.x, diagonal.z),
+        ]
+    }
+
+    // ANCHOR: inverse
+    /// S⁻¹ of a positive definite S, none of whose eigenvalues is below `least`: by S = L D Lᵀ.
+    ///
+    /// The numbers of D are Schur complements of S, and none of these is below its least eigenvalue. So
+    /// `least` changes nothing but what rounding spoiled: a thin link that carries a heavy ball has
+    /// moments that differ by more than f32 can hold.
+    #[inline]
+    #[must_use]
+    pub fn inverse(self, least: R) -> Self {
+        let Self { diagonal, off } = self;
+        let d1 = diagonal.x.max(least).recip();
+        let l21 = off.z * d1;
+        let l31 = off.y * d1;
+        let d2 = (diagonal.y - off.z * l21).max(least).recip();
+        let below = off.x - off.y * l21;
+        let l32 = below * d2;
+        let d3 = (diagonal.z - off.y * l31 - below * l32).max(least).recip();
+        let m31 = l21 * l32 - l31;
+        Self {
+            diagonal: Vec3::new(
+                d1 + l21 * l21 * d2 + m31 * m31 * d3,
+                d2 + l32 * l32 * d3,
+                d3,
+            ),
+            off: Vec3::new(-l32 * d3, m31 * d3, -l21 * d2 - m31 * l32 * d3),
+        }
+    }
+    // ANCHOR_END: inverse
+}
