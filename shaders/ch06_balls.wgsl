@@ -83,22 +83,6 @@ fn impact(other: Other, neighbour: u32, mover: Mover, held: vec3f) -> f32 {
 }
 // ANCHOR_END: note_impact
 
-// ANCHOR: passes
-// Whether a ball that comes nearer passes by within the substep: the nearest that the centres come is
-// farther than both radii. Without it a fast ball would be stopped by what it flies past.
-fn passes(other: Other, u: vec3f, radius: f32) -> bool {
-    if other.distance <= 0.0 || other.radius == 0.0 {
-        return false;
-    }
-    let reach = radius + other.radius;
-    let apart = (other.distance + reach) * other.normal;
-    let moves = step.h * u;
-    let part = clamp(-dot(apart, moves) / max(dot(moves, moves), SMALL), 0.0, 1.0);
-    let nearest = apart + part * moves;
-    return dot(nearest, nearest) > reach * reach;
-}
-// ANCHOR_END: passes
-
 // Whether a new contact is an impact rather than the beginning of rest: then its impulse is over with the
 // substep. Begun with again, it would be taken back only in part, and make energy.
 fn is_impact(given: vec3f, inverse_masses: f32) -> bool {
@@ -178,15 +162,15 @@ fn solve_contact(
     let u = relative_velocity(other, mover.velocity, mover.angular_velocity, arm);
     let speed = dot(u, other.normal);
     let last = impulses[slot];
-    let comes = other.distance + step.h * speed <= 0.0 && !passes(other, u, place.reach);
-    var touches = other.distance <= 0.0 || other.distance + 2.0 * step.h * speed <= 0.0;
+    let meets = comes(other, u, place.reach, step.h);
+    var touches = other.distance <= 0.0 || comes(other, u, place.reach, 2.0 * step.h);
     // What holds it for a moment only adds speed: what is slow even with it is no impact.
-    if BOUNCES && comes && speed < -0.5 * step.restitution_threshold {
+    if BOUNCES && meets && speed < -0.5 * step.restitution_threshold {
         let hit = impact(other, neighbour, mover, held.linear);
         approaches[slot] = min(approaches[slot], hit);
     }
     var impulse = vec4f(0.0);
-    if last.w > 0.0 || other.distance <= 0.0 || comes {
+    if last.w > 0.0 || other.distance <= 0.0 || meets {
         let reply = shared_mass + other.shared_mass;
         let room = max(other.distance, 0.0) / step.h;
         impulse.w = max(last.w - (speed + room) / reply, 0.0);

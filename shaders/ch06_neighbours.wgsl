@@ -214,8 +214,8 @@ fn take_over(finding: ptr<function, Finding>, neighbour: u32, k: u32) {
     (*finding).held.linear += impulse.xyz - other.normal * impulse.w;
     (*finding).held.angular += arm * cross(other.normal, impulse.xyz);
     let u = relative_velocity(other, mover.velocity, mover.angular_velocity, arm);
-    let comes = other.distance + step.h * dot(u, other.normal) <= 0.0;
-    if impulse.w > 0.0 || other.distance <= 0.0 || comes {
+    let meets = comes(other, u, (*finding).place.reach, step.h);
+    if impulse.w > 0.0 || other.distance <= 0.0 || meets {
         (*finding).counting += 1.0;
     }
 }

@@ -97,6 +97,27 @@ fn relative_velocity(other: Other, velocity: vec3f, angular_velocity: vec3f, arm
     return other.velocity - velocity - cross(turning, other.normal);
 }
 
+// ANCHOR: passes
+// Whether a ball that comes nearer passes by within `h` seconds: the nearest that the centres come is
+// farther than both radii. Without it a fast ball would be stopped by what it flies past.
+fn passes(other: Other, u: vec3f, radius: f32, h: f32) -> bool {
+    if other.distance <= 0.0 || other.radius == 0.0 {
+        return false;
+    }
+    let reach = radius + other.radius;
+    let apart = (other.distance + reach) * other.normal;
+    let moves = h * u;
+    let part = clamp(-dot(apart, moves) / max(dot(moves, moves), SMALL), 0.0, 1.0);
+    let nearest = apart + part * moves;
+    return dot(nearest, nearest) > reach * reach;
+}
+// ANCHOR_END: passes
+
+// Whether the two come so near within `h` seconds that they touch. `u` is how fast the other comes away.
+fn comes(other: Other, u: vec3f, radius: f32, h: f32) -> bool {
+    return other.distance + h * dot(u, other.normal) <= 0.0 && !passes(other, u, radius, h);
+}
+
 // The acceleration with which gravity brings the two together, m/s².
 fn closing_pull(other: Other, inverse_mass: f32, gravity: vec3f) -> f32 {
     var closing = 0.0;

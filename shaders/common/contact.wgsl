@@ -24,47 +24,15 @@ fn note_impacts(
     let closing = closing_pull((*t).normal, a, b, step.gravity);
     for (var k = 0u; k < POINTS; k++) {
         if k < (*m).points {
-            let speed = parting(t, k, a, b);
-            let distance = (*t).distance[k];
-            if distance + step.h * speed <= 0.0 && !passes(m, t, k, a, b, step.h) {
+            if comes(m, t, k, a, b, step.h) {
                 let before = max(-parting_before(t, k, a, b), 0.0);
-                let squared = before * before + 2.0 * closing * max(distance, 0.0);
+                let squared = before * before + 2.0 * closing * max((*t).distance[k], 0.0);
                 (*approach)[k] = min((*approach)[k], -sqrt(max(squared, 0.0)));
             }
-            soon = soon || distance <= 0.0 || distance + 2.0 * step.h * speed <= 0.0;
+            soon = soon || meets(m, t, k, a, b, 2.0 * step.h);
         }
     }
     return soon;
-}
-
-// ANCHOR: passes
-// Whether two round bodies that come nearer pass each other within the substep: the nearest that their core
-// points come is farther than both radii.
-fn passes(
-    m: ptr<function, Manifold>,
-    t: ptr<function, Touching>,
-    k: u32,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-    h: f32,
-) -> bool {
-    if (*m).turns != ROUND || (*t).distance[k] <= 0.0 {
-        return false;
-    }
-    let reach = (*m).round_a + (*m).round_b;
-    let apart = ((*t).distance[k] + reach) * (*t).normal;
-    let arm = (*t).arm_a[k];
-    let moves = h * sliding_at(arm, arm - (*t).apart, a, b);
-    let part = clamp(-dot(apart, moves) / max(dot(moves, moves), SMALL), 0.0, 1.0);
-    let nearest = apart + part * moves;
-    return dot(nearest, nearest) > reach * reach;
-}
-// ANCHOR_END: passes
-
-// Velocity of b away from a where both arms end, m/s.
-fn sliding_at(arm_a: vec3f, arm_b: vec3f, a: ptr<function, Side>, b: ptr<function, Side>) -> vec3f {
-    return (*b).velocity + cross((*b).angular_velocity, arm_b)
-        - (*a).velocity - cross((*a).angular_velocity, arm_a);
 }
 
 // The acceleration with which gravity brings a and b together along the normal, m/s².
@@ -86,9 +54,7 @@ fn activate(
     var is_active = false;
     for (var k = 0u; k < POINTS; k++) {
         if k < (*m).points {
-            let nears = (*t).distance[k] + h * parting(t, k, a, b) <= 0.0;
-            let comes = nears && !passes(m, t, k, a, b, h);
-            is_active = is_active || impulse.normal[k] > 0.0 || (*t).distance[k] <= 0.0 || comes;
+            is_active = is_active || impulse.normal[k] > 0.0 || meets(m, t, k, a, b, h);
         }
     }
     return is_active;

@@ -119,6 +119,60 @@ fn parting_before(
         - dot((*t).lever_a[k], (*a).before.angular_velocity);
 }
 
+// Velocity of b away from a where both arms end, m/s.
+fn sliding_at(arm_a: vec3f, arm_b: vec3f, a: ptr<function, Side>, b: ptr<function, Side>) -> vec3f {
+    return (*b).velocity + cross((*b).angular_velocity, arm_b)
+        - (*a).velocity - cross((*a).angular_velocity, arm_a);
+}
+
+// ANCHOR: passes
+// Whether two round bodies that come nearer pass each other within `h` seconds: the nearest that their core
+// points come is farther than both radii.
+fn passes(
+    m: ptr<function, Manifold>,
+    t: ptr<function, Touching>,
+    k: u32,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    h: f32,
+) -> bool {
+    if (*m).turns != ROUND || (*t).distance[k] <= 0.0 {
+        return false;
+    }
+    let reach = (*m).round_a + (*m).round_b;
+    let apart = ((*t).distance[k] + reach) * (*t).normal;
+    let arm = (*t).arm_a[k];
+    let moves = h * sliding_at(arm, arm - (*t).apart, a, b);
+    let part = clamp(-dot(apart, moves) / max(dot(moves, moves), SMALL), 0.0, 1.0);
+    let nearest = apart + part * moves;
+    return dot(nearest, nearest) > reach * reach;
+}
+// ANCHOR_END: passes
+
+// Whether the bodies come so near within `h` seconds that they touch at point k.
+fn comes(
+    m: ptr<function, Manifold>,
+    t: ptr<function, Touching>,
+    k: u32,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    h: f32,
+) -> bool {
+    return (*t).distance[k] + h * parting(t, k, a, b) <= 0.0 && !passes(m, t, k, a, b, h);
+}
+
+// Whether they touch at point k, or come to within `h` seconds.
+fn meets(
+    m: ptr<function, Manifold>,
+    t: ptr<function, Touching>,
+    k: u32,
+    a: ptr<function, Side>,
+    b: ptr<function, Side>,
+    h: f32,
+) -> bool {
+    return (*t).distance[k] <= 0.0 || comes(m, t, k, a, b, h);
+}
+
 // ANCHOR: press
 // The impulses of a pair as its bodies receive them.
 fn press(t: ptr<function, Touching>, points: u32, impulse: Impulse) -> Press {
@@ -169,8 +223,7 @@ fn press_again(
     var pressed = press(&t, (*m).points, impulse);
     for (var k = 0u; k < POINTS; k++) {
         if k < (*m).points {
-            let comes = t.distance[k] + h * parting(&t, k, a, b) <= 0.0;
-            if impulse.normal[k] > 0.0 || t.distance[k] <= 0.0 || comes {
+            if impulse.normal[k] > 0.0 || meets(m, &t, k, a, b, h) {
                 pressed.counts = 1.0;
             }
         }

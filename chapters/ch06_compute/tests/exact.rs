@@ -8,6 +8,8 @@
 mod bouncing;
 #[path = "exact/falling.rs"]
 mod falling;
+#[path = "exact/fast.rs"]
+mod fast;
 #[path = "exact/free_space.rs"]
 mod free_space;
 #[path = "exact/friction.rs"]

@@ -228,8 +228,7 @@ pub fn press_again(m: &Manifold, impulse: &Impulse, a: &Side, b: &Side, h: f32) 
     let t = touching(m, a, b);
     let mut pressed = press(&t, m.points, impulse);
     for k in 0..m.points as usize {
-        let comes = t.distance[k] + h * parting(&t, k, a, b) <= 0.0;
-        if impulse.normal[k] > 0.0 || t.distance[k] <= 0.0 || comes {
+        if impulse.normal[k] > 0.0 || meets(m, &t, k, a, b, h) {
             pressed.counts = 1.0;
         }
     }
@@ -307,21 +306,21 @@ fn note_impacts(
     let mut soon = false;
     let closing = closing_pull(t.normal, a, b, step.gravity);
     for k in 0..m.points as usize {
-        let speed = parting(t, k, a, b);
-        if t.distance[k] + step.h * speed <= 0.0 && !passes(m, t, k, a, b, step.h) {
+        if comes(m, t, k, a, b, step.h) {
             let before = (-parting_before(t, k, a, b)).max(0.0);
             let squared = before * before + 2.0 * closing * t.distance[k].max(0.0);
             approach[k] = approach[k].min(-squared.max(0.0).sqrt());
         }
-        soon = soon || t.distance[k] <= 0.0 || t.distance[k] + 2.0 * step.h * speed <= 0.0;
+        soon = soon || meets(m, t, k, a, b, 2.0 * step.h);
     }
     soon
 }
 // ANCHOR_END: impact_speed
 
 // ANCHOR: passes
-/// Whether two round bodies that come nearer pass each other within the substep: the nearest that their core
-/// points come is farther than both radii. Without it a fast ball would be stopped by what it flies past.
+/// Whether two round bodies that come nearer pass each other within `h` seconds: the nearest that their core
+/// points come is farther than both radii. Without it a fast ball would be stopped by what it flies past, or
+/// share its mass with it, and be stopped too little by what it hits.
 fn passes(m: &Manifold, t: &Touching, k: usize, a: &Side, b: &Side, h: f32) -> bool {
     if m.turns != ROUND || t.distance[k] <= 0.0 {
         return false;
@@ -333,6 +332,16 @@ fn passes(m: &Manifold, t: &Touching, k: usize, a: &Side, b: &Side, h: f32) -> b
     (apart + part * moves).length_squared() > reach * reach
 }
 // ANCHOR_END: passes
+
+/// Whether the bodies come so near within `h` seconds that they touch at point k.
+fn comes(m: &Manifold, t: &Touching, k: usize, a: &Side, b: &Side, h: f32) -> bool {
+    t.distance[k] + h * parting(t, k, a, b) <= 0.0 && !passes(m, t, k, a, b, h)
+}
+
+/// Whether they touch at point k, or come to within `h` seconds.
+fn meets(m: &Manifold, t: &Touching, k: usize, a: &Side, b: &Side, h: f32) -> bool {
+    t.distance[k] <= 0.0 || comes(m, t, k, a, b, h)
+}
 
 /// The acceleration with which gravity brings a and b together along the normal, m/s².
 fn closing_pull(normal: Vec3, a: &Side, b: &Side, gravity: Vec3) -> f32 {
@@ -358,9 +367,7 @@ fn activate(
 ) -> bool {
     let mut active = false;
     for k in 0..m.points as usize {
-        let comes =
-            t.distance[k] + step.h * parting(t, k, a, b) <= 0.0 && !passes(m, t, k, a, b, step.h);
-        active = active || impulse.normal[k] > 0.0 || t.distance[k] <= 0.0 || comes;
+        active = active || impulse.normal[k] > 0.0 || meets(m, t, k, a, b, step.h);
     }
     if !active {
         *impulse = Impulse::default();
