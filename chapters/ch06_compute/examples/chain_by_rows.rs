@@ -7,8 +7,8 @@
 use ch00_scenes::Scene;
 use ch06_compute::bodies::Bodies;
 use ch06_compute::own_row::body::Gathered;
-use ch06_compute::own_row::contact::Side;
 use ch06_compute::own_row::loops::solve_loop;
+use ch06_compute::own_row::one_side::Side;
 use ch06_compute::own_row::tree::Trees;
 use ch06_compute::rows::{Held, NONE, Node, Press};
 use glam::Vec3;

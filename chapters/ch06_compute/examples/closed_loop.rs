@@ -84,7 +84,8 @@ fn gaps(scene: &Scene, substeps: u32) -> Result<Vec<f64>, Problem> {
         ..Settings::defaults()
     };
     let rules = Rules::of(scene, &settings)?;
-    let mut lanes = Lanes::of(scene, rules).map_err(|(why, body)| format!("body {body}: {why}"))?;
+    let mut lanes =
+        <Lanes>::of(scene, rules).map_err(|(why, body)| format!("body {body}: {why}"))?;
     for _ in 0..STEPS {
         lanes.step(scene.dt as f32, |_| {});
     }

@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         scene.dt = 1.0 / rate;
         let rules = Rules::of(&scene, &Settings::defaults())?;
         let mut lanes =
-            Lanes::of(&scene, rules).map_err(|(why, body)| format!("body {body}: {why}"))?;
+            <Lanes>::of(&scene, rules).map_err(|(why, body)| format!("body {body}: {why}"))?;
         for _ in 0..(TIME * rate).round() as u32 {
             lanes.step(scene.dt as f32, |_| {});
         }

@@ -4,10 +4,12 @@
 //!
 //! `cargo run --release -p ch06_compute --no-default-features --example handed_on`
 
-use ch06_compute::own_row::contact::{Before, Side, solve_pair};
-use ch06_compute::rows::{Impulse, Manifold, Material, ROUND, Step};
+use ch06_compute::own_row::contact::{Before, Contact, Impulses, Surface, solve_pair};
+use ch06_compute::own_row::side::Side;
+use ch06_compute::rows::{Manifold, ROUND, Step};
 use ch06_compute::rules::IMPACT_SPEED;
-use glam::{Mat3, Quat, Vec3, Vec4};
+use ch06_compute::simd::Quat;
+use glam::Vec3;
 
 /// Of both balls, m; the wall is one that nothing moves.
 const RADIUS: f32 = 0.5;
@@ -36,64 +38,58 @@ fn leaves(shares: u32, impact_speed: f32) -> f32 {
         ..Step::default()
     };
     let mut velocity = SPEED;
-    let mut impulse = Impulse::default();
+    let mut impulse = Impulses::default();
     let mut held = 0.0;
     for _ in 0..SUBSTEPS {
-        let before = velocity;
+        let before = Before {
+            velocity: (velocity * Vec3::X).into(),
+            ..Before::default()
+        };
         velocity -= held;
-        let sides = [ball(velocity, before, shares), wall()];
-        let mut approach = Vec4::ZERO;
-        let press = solve_pair(
+        let given = solve_pair(
             &contact(),
-            &Material::default(),
+            &Surface::default(),
             &mut impulse,
-            &mut approach,
-            sides,
+            &mut [0.0],
+            [ball(velocity, shares), wall()],
+            || [before, Before::default()],
             &step,
         );
-        velocity -= press.linear.x - held;
-        held = press.stays * press.linear.x;
+        velocity -= given.linear.x - held;
+        held = given.stays * given.linear.x;
     }
     -velocity
 }
 // ANCHOR_END: leaves
 
-fn contact() -> Manifold {
-    Manifold {
+fn contact() -> Contact<f32, 1> {
+    let manifold = Manifold {
         turns: ROUND,
         round_a: RADIUS,
         round_b: RADIUS,
         points: 1,
         ..Manifold::default()
-    }
+    };
+    Contact::of(|_| &manifold)
 }
 
-fn ball(velocity: f32, before: f32, shares: u32) -> Side {
+fn ball(velocity: f32, shares: u32) -> Side<f32> {
     Side {
-        velocity: velocity * Vec3::X,
+        velocity: (velocity * Vec3::X).into(),
         inverse_mass: 1.0,
         shared_mass: shares as f32,
-        before: Before {
-            velocity: before * Vec3::X,
-            ..Before::default()
-        },
         ..wall_at(Vec3::ZERO)
     }
 }
 
-fn wall() -> Side {
+fn wall() -> Side<f32> {
     wall_at(2.0 * RADIUS * Vec3::X)
 }
 
-fn wall_at(position: Vec3) -> Side {
+fn wall_at(position: Vec3) -> Side<f32> {
     Side {
-        position,
-        attitude: Quat::IDENTITY,
-        velocity: Vec3::ZERO,
-        angular_velocity: Vec3::ZERO,
-        inverse_mass: 0.0,
-        shared_mass: 0.0,
-        shared_inertia: Mat3::ZERO,
-        before: Before::default(),
+        position: position.into(),
+        attitude: Quat::identity(),
+        ..Side::default()
     }
 }

@@ -7,9 +7,11 @@
 use std::f64::consts::PI;
 
 use ch06_compute::own_row::body::Gathered;
-use ch06_compute::own_row::contact::{Before, Side, solve_pair};
-use ch06_compute::rows::{Impulse, Manifold, Material, Press, ROUND, Step};
-use glam::{Mat3, Quat, Vec3, Vec4};
+use ch06_compute::own_row::contact::{Before, Contact, Impulses, Surface, solve_pair};
+use ch06_compute::own_row::side::Side;
+use ch06_compute::rows::{Manifold, Press, ROUND, Step};
+use ch06_compute::simd::Quat;
+use glam::Vec3;
 
 /// Of all balls, m.
 const RADIUS: f32 = 0.5;
@@ -61,7 +63,7 @@ fn main() {
 /// The balls' velocities, and what is pressed between each and the next.
 struct Row {
     velocities: Vec<f32>,
-    impulses: Vec<Impulse>,
+    impulses: Vec<Impulses<f32, 1>>,
 }
 
 impl Row {
@@ -70,7 +72,7 @@ impl Row {
         [velocities[0], velocities[BALLS - 1]] = HITS;
         Self {
             velocities,
-            impulses: vec![Impulse::default(); BALLS - 1],
+            impulses: vec![Impulses::default(); BALLS - 1],
         }
     }
 
@@ -88,7 +90,7 @@ impl Row {
                 if let (Some(new), Some(old)) = (self.impulses.get(k), old.get(k)) {
                     sum.add(
                         &Press {
-                            linear: (new.normal.x - old.normal.x) * Vec3::X,
+                            linear: (new.normal[0] - old.normal[0]) * Vec3::X,
                             ..Default::default()
                         },
                         is_b,
@@ -102,26 +104,24 @@ impl Row {
     /// One after the other: each contact with the whole masses, from what those before it left.
     fn sweep(&mut self) {
         for k in 0..self.impulses.len() {
-            let old = self.impulses[k].normal.x;
+            let old = self.impulses[k].normal[0];
             let sides = [k, k + 1].map(|ball| self.side(ball, 1.0));
             mend(&mut self.impulses[k], sides);
-            let change = self.impulses[k].normal.x - old;
+            let change = self.impulses[k].normal[0] - old;
             self.velocities[k] -= change;
             self.velocities[k + 1] += change;
         }
     }
     // ANCHOR_END: pass
 
-    fn side(&self, ball: usize, shares: f32) -> Side {
+    fn side(&self, ball: usize, shares: f32) -> Side<f32> {
         Side {
-            position: 2.0 * RADIUS * ball as f32 * Vec3::X,
-            attitude: Quat::IDENTITY,
-            velocity: self.velocities[ball] * Vec3::X,
-            angular_velocity: Vec3::ZERO,
+            position: (2.0 * RADIUS * ball as f32 * Vec3::X).into(),
+            attitude: Quat::identity(),
+            velocity: (self.velocities[ball] * Vec3::X).into(),
             inverse_mass: 1.0,
             shared_mass: shares,
-            shared_inertia: Mat3::ZERO,
-            before: Before::default(),
+            ..Side::default()
         }
     }
 
@@ -151,27 +151,28 @@ fn shares(ball: usize) -> f32 {
     }
 }
 
-fn mend(impulse: &mut Impulse, sides: [Side; 2]) {
-    let contact = Manifold {
+fn mend(impulse: &mut Impulses<f32, 1>, sides: [Side<f32>; 2]) {
+    let manifold = Manifold {
         turns: ROUND,
         round_a: RADIUS,
         round_b: RADIUS,
         points: 1,
         ..Manifold::default()
     };
+    let contact = Contact::<f32, 1>::of(|_| &manifold);
     let step = Step {
         h: 1.0,
         impact_speed: f32::INFINITY,
         ..Step::default()
     };
-    let mut approach = Vec4::ZERO;
     // What the bodies gather is the change, which the callers take from the impulse itself.
     let _ = solve_pair(
         &contact,
-        &Material::default(),
+        &Surface::default(),
         impulse,
-        &mut approach,
+        &mut [0.0],
         sides,
+        || [Before::default(); 2],
         &step,
     );
 }

@@ -40,7 +40,8 @@ fn tell(scene: &Scene, substeps: u32, push_share: f32) -> Result<(), Problem> {
         push_share,
         ..Rules::of(scene, &settings)?
     };
-    let mut lanes = Lanes::of(scene, rules).map_err(|(why, body)| format!("body {body}: {why}"))?;
+    let mut lanes =
+        <Lanes>::of(scene, rules).map_err(|(why, body)| format!("body {body}: {why}"))?;
     for _ in 0..STEPS {
         lanes.step(scene.dt as f32, |_| {});
     }

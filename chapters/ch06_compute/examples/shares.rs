@@ -5,9 +5,11 @@
 //! `cargo run --release -p ch06_compute --no-default-features --example shares -- [BALLS IN THE RING]`
 
 use ch00_maths::f32::real::{cos, sin};
-use ch06_compute::own_row::contact::{Before, Side, solve_pair};
-use ch06_compute::rows::{Impulse, Manifold, Material, ROUND, Step};
-use glam::{Mat3, Quat, Vec3, Vec4};
+use ch06_compute::own_row::contact::{Before, Contact, Impulses, Surface, solve_pair};
+use ch06_compute::own_row::side::Side;
+use ch06_compute::rows::{Manifold, ROUND, Step};
+use ch06_compute::simd::Quat;
+use glam::Vec3;
 
 /// Of all balls, m.
 const RADIUS: f32 = 0.5;
@@ -52,13 +54,14 @@ fn passes(ring: usize, shares: f32) -> Vec<f32> {
         impact_speed: f32::INFINITY,
         ..Step::default()
     };
-    let contact = Manifold {
+    let manifold = Manifold {
         turns: ROUND,
         round_a: RADIUS,
         round_b: RADIUS,
         points: 1,
         ..Manifold::default()
     };
+    let contact = Contact::<f32, 1>::of(|_| &manifold);
     let mut impulses = vec![pressed(PRESSED); ring];
     let mut velocity = NUDGE * Vec3::X;
     let pass = |_| {
@@ -66,17 +69,17 @@ fn passes(ring: usize, shares: f32) -> Vec<f32> {
         for (k, impulse) in impulses.iter_mut().enumerate() {
             let old = *impulse;
             let sides = [middle(before, shares), around(k, ring)];
-            let mut approach = Vec4::ZERO;
             // The impulse is mended in place; what bodies would gather isn't needed here.
             let _ = solve_pair(
                 &contact,
-                &Material::default(),
+                &Surface::default(),
                 impulse,
-                &mut approach,
+                &mut [0.0],
                 sides,
+                || [Before::default(); 2],
                 &step,
             );
-            let change = impulse.normal.x - old.normal.x;
+            let change = impulse.normal[0] - old.normal[0];
             velocity -= direction(k, ring) * (change / MASS);
         }
         velocity.x
@@ -85,10 +88,10 @@ fn passes(ring: usize, shares: f32) -> Vec<f32> {
 }
 // ANCHOR_END: passes
 
-fn pressed(normal: f32) -> Impulse {
-    Impulse {
-        normal: Vec4::X * normal,
-        ..Impulse::default()
+fn pressed(normal: f32) -> Impulses<f32, 1> {
+    Impulses {
+        normal: [normal],
+        ..Impulses::default()
     }
 }
 
@@ -99,9 +102,9 @@ fn direction(k: usize, ring: usize) -> Vec3 {
 }
 
 /// The ball in the middle.
-fn middle(velocity: Vec3, shares: f32) -> Side {
+fn middle(velocity: Vec3, shares: f32) -> Side<f32> {
     Side {
-        velocity,
+        velocity: velocity.into(),
         inverse_mass: 1.0 / MASS,
         shared_mass: shares / MASS,
         ..at(Vec3::ZERO)
@@ -109,19 +112,14 @@ fn middle(velocity: Vec3, shares: f32) -> Side {
 }
 
 /// A ball of the ring, which nothing moves.
-fn around(k: usize, ring: usize) -> Side {
+fn around(k: usize, ring: usize) -> Side<f32> {
     at(2.0 * RADIUS * direction(k, ring))
 }
 
-fn at(position: Vec3) -> Side {
+fn at(position: Vec3) -> Side<f32> {
     Side {
-        position,
-        attitude: Quat::IDENTITY,
-        velocity: Vec3::ZERO,
-        angular_velocity: Vec3::ZERO,
-        inverse_mass: 0.0,
-        shared_mass: 0.0,
-        shared_inertia: Mat3::ZERO,
-        before: Before::default(),
+        position: position.into(),
+        attitude: Quat::identity(),
+        ..Side::default()
     }
 }

@@ -5,8 +5,7 @@ use ch00_scenes::{Body, Scene, Shape, State};
 use ch05_properties::data::shape_columns;
 use glam::{DQuat, DVec3, Quat, Vec3};
 
-use crate::own_row::contact::Before;
-use crate::rows::{Held, Material, Motion, Place, Push, Solid, Spin};
+use crate::rows::{Held, Material, Motion, Place, Push, Seen, Solid, Spin};
 
 /// All rows of all bodies: a column a kind of row, in the order of the scene.
 #[derive(Clone, Debug, Default)]
@@ -30,7 +29,7 @@ pub struct Bodies {
     /// World angular momentum, kg m²/s. A ball has none here: it doesn't need it to turn.
     pub momentum: Vec<Vec3>,
     /// How they moved before the last kick.
-    pub before: Vec<Before>,
+    pub before: Vec<Seen>,
 }
 
 impl Bodies {
@@ -80,7 +79,7 @@ impl Bodies {
         });
         self.held.push(Held::default());
         self.push.push(Push::default());
-        self.before.push(Before::default());
+        self.before.push(Seen::default());
         self.momentum.push(Vec3::ZERO);
         self.read_momentum(id as usize);
     }

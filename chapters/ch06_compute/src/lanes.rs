@@ -1,38 +1,46 @@
-//! The CPU twin: the own-row step in plain code on one thread, by the names of the kernels. It is what
+//! The CPU twin: the own-row step on lanes and threads, by the names of the kernels. It is what
 //! runs where there is no graphics device, and what the kernels are compared with.
+//!
+//! As on the device, a pass reads any row and writes only its own; so a pass may go through its rows in lanes
+//! of eight and on any number of threads, and the bits are the same.
 
+pub mod batches;
 pub mod broad_phase;
 mod engine;
 mod explain;
 pub mod forces;
 pub mod joints;
+pub mod movers;
 pub mod pairs;
+pub mod threads;
+pub mod work;
 
-use ch00_maths::f32::{rotation, spin};
 use ch00_scenes::{Body, Scene, State};
-use glam::Vec3;
 
 use crate::bodies::Bodies;
-use crate::own_row::body::{Gathered, exchange, kick, kick_momentum, push_of, turned, turned_with};
-use crate::own_row::contact::{Before, Side, bounces, press_again, restore_pair, solve_pair};
-use crate::rows::{Held, Push, Step};
+use crate::own_row::body::Gathered;
+use crate::rows::Step;
 use crate::rules::Rules;
+use crate::simd::{Eight, Real};
 use broad_phase::BroadPhase;
-use forces::{Forces, Pivot};
+use forces::Forces;
 use joints::Joints;
+use movers::Movers;
 use pairs::Pairs;
+use threads::Threads;
+use work::{Bounces, PressAgain, Restore, Solve};
 
 pub use engine::{ENGINE, LanesEngine, METHODS, unsupported};
 
 /// All state of a run, and what a step does with it.
 #[derive(Clone, Debug)]
-pub struct Lanes {
+pub struct Lanes<R: Real = Eight> {
     /// The bodies' rows.
     pub bodies: Bodies,
     /// The pairs of the last step.
-    pub pairs: Pairs,
+    pub pairs: Pairs<R>,
     /// Those of the step before, whose memory the next one takes.
-    last_pairs: Pairs,
+    last_pairs: Pairs<R>,
     /// Which bodies may touch.
     pub broad: BroadPhase,
     /// What pulls beyond gravity.
@@ -41,11 +49,13 @@ pub struct Lanes {
     pub joints: Joints,
     /// The constants of the run.
     pub rules: Rules,
+    /// Who works.
+    pub threads: Threads,
     /// By body: what its pairs did to it in this substep.
     gathered: Vec<Gathered>,
 }
 
-impl Lanes {
+impl<R: Real> Lanes<R> {
     /// The start of a scene.
     ///
     /// # Errors
@@ -61,6 +71,7 @@ impl Lanes {
             .map(|pivot| pivot.body as u32)
             .collect();
         Ok(Self {
+            threads: Threads::default(),
             gathered: vec![Gathered::default(); bodies.rows()],
             joints: Joints::of(scene),
             bodies,
@@ -100,7 +111,12 @@ impl Lanes {
 
     // ANCHOR: step
     /// A step of `dt` seconds. `done` hears of each part when it is done.
-    pub fn step(&mut self, dt: f32, mut done: impl FnMut(&'static str)) {
+    pub fn step(&mut self, dt: f32, done: impl FnMut(&'static str) + Send) {
+        let threads = self.threads.clone();
+        threads.run(self.bodies.rows(), || self.step_here(dt, done));
+    }
+
+    fn step_here(&mut self, dt: f32, mut done: impl FnMut(&'static str)) {
         let step = self.rules.step(dt, self.bodies.rows());
         broad_phase::find_pairs(&self.bodies, dt, &mut self.broad);
         done("broad phase");
@@ -111,18 +127,34 @@ impl Lanes {
             self.solve_pairs(&step);
             self.joints.solve_rows(&self.bodies, step.h);
             self.gather();
+            let kicks = substep < self.rules.substeps;
+            if self.is_plain() {
+                self.move_at_once(kicks, &step);
+                continue;
+            }
             self.exchange();
             self.joints.solve_trees(&mut self.bodies, step.h);
             self.advance(&step);
-            if substep < self.rules.substeps {
+            if kicks {
                 self.kick(&step);
             }
         }
         done("substeps");
         self.bounce(&step);
+        self.pairs.write_back();
         done("restitution");
     }
     // ANCHOR_END: step
+
+    /// The fewest blocks of bodies that go together in a pass.
+    fn least_blocks(&self) -> usize {
+        self.threads.least(self.bodies.rows()) / R::LANES
+    }
+
+    /// The fewest batches of pairs that do.
+    fn least_batches(&self) -> usize {
+        self.threads.least(self.bodies.rows()) / R::LANES
+    }
 
     /// Narrow phase over what the broad phase found.
     fn meet(&mut self, dt: f32) {
@@ -134,225 +166,119 @@ impl Lanes {
     // ANCHOR: start
     /// What held the bodies in the last step, where their points are now; then the first kick.
     fn start(&mut self, step: &Step) {
-        for pair in 0..self.pairs.bodies.len() {
-            let [a, b] = self.sides(pair);
-            let (m, impulse) = (&self.pairs.manifold[pair], &self.pairs.impulse[pair]);
-            self.pairs.press[pair] = press_again(m, impulse, &a, &b, step.h);
-        }
+        let bodies = &self.bodies;
+        let least = self.least_batches();
+        let work = PressAgain { bodies, h: step.h };
+        self.pairs.batches.each(least, &work);
         self.gather();
-        for row in 0..self.bodies.rows() {
-            self.bodies.held[row] = self.gathered[row].stays;
-            self.bodies.motion[row].shares = self.gathered[row].counts.max(1.0);
+        for (row, sum) in self.gathered.iter().enumerate() {
+            self.bodies.held[row] = sum.stays;
+            self.bodies.motion[row].shares = sum.counts.max(1.0);
         }
         self.kick(step);
     }
     // ANCHOR_END: start
 
-    /// Every body takes up what pulls and holds it.
-    fn kick(&mut self, step: &Step) {
-        self.forces.gather(&self.bodies);
-        for row in 0..self.bodies.rows() {
-            let pull = self.forces.pulls.get(row).copied().unwrap_or_default();
-            let held = self.joints.with(row, self.bodies.held[row]);
-            self.bodies.before[row] = Before {
-                velocity: self.bodies.motion[row].velocity,
-                angular_velocity: self.bodies.spin[row].angular_velocity,
-            };
-            kick(
-                &mut self.bodies.motion[row],
-                &mut self.bodies.spin[row],
-                self.bodies.attitude[row],
-                &self.bodies.solid[row],
-                &held,
-                &pull,
-                step,
-            );
-            kick_momentum(&mut self.bodies.momentum[row], &held, &pull, step);
-        }
-    }
-
     /// Every pair writes its own impulses.
     fn solve_pairs(&mut self, step: &Step) {
-        for pair in 0..self.pairs.bodies.len() {
-            let sides = self.sides(pair);
-            self.pairs.press[pair] = solve_pair(
-                &self.pairs.manifold[pair],
-                &self.pairs.material[pair],
-                &mut self.pairs.impulse[pair],
-                &mut self.pairs.approach[pair],
-                sides,
-                step,
-            );
-        }
-    }
-
-    /// The two bodies of a pair.
-    fn sides(&self, pair: usize) -> [Side; 2] {
         let bodies = &self.bodies;
-        let (a, b) = self.pairs.bodies[pair];
-        [a, b].map(|row| {
-            Side::of(
-                &bodies.place[row],
-                bodies.attitude[row],
-                &bodies.motion[row],
-                &bodies.spin[row],
-                &bodies.solid[row],
-                bodies.before[row],
-            )
-        })
+        let least = self.least_batches();
+        self.pairs.batches.each(least, &Solve { bodies, step });
     }
 
     // ANCHOR: gather
     /// Every body sums what its pairs did to it, in the order of their IDs; then its limits and loops.
     fn gather(&mut self) {
-        self.gather_pairs();
-        for row in 0..self.bodies.rows() {
-            self.joints.gather(row, &mut self.gathered[row]);
-        }
+        let (pairs, joints) = (&self.pairs, &self.joints);
+        let least = self.threads.least(self.bodies.rows());
+        threads::each(&mut self.gathered, least, |row, sum| {
+            *sum = gathered(pairs, row);
+            joints.gather(row, sum);
+        });
     }
 
     /// What its pairs did to each body.
     fn gather_pairs(&mut self) {
-        for row in 0..self.bodies.rows() {
-            let mut sum = Gathered::default();
-            for &pair in self.pairs.of(row) {
-                let is_b = self.pairs.bodies[pair as usize].1 == row;
-                sum.add(&self.pairs.press[pair as usize], is_b);
-            }
-            self.gathered[row] = sum;
-        }
+        let pairs = &self.pairs;
+        let least = self.threads.least(self.bodies.rows());
+        threads::each(&mut self.gathered, least, |row, sum| {
+            *sum = gathered(pairs, row);
+        });
     }
     // ANCHOR_END: gather
 
+    /// Every body takes up what pulls and holds it.
+    fn kick(&mut self, step: &Step) {
+        let least = self.least_blocks();
+        self.forces.gather(&self.bodies);
+        let (pulls, joints) = (&self.forces.pulls, &self.joints);
+        let mut movers = Movers::of(&mut self.bodies, least);
+        movers.each::<R>(|block| block.kick::<R>(pulls, joints, step));
+    }
+
     /// Every body puts what holds it now in the place of what it started the substep with.
     fn exchange(&mut self) {
-        let bodies = &mut self.bodies;
-        for row in 0..bodies.rows() {
-            let new = &self.gathered[row];
-            let (q, solid) = (bodies.attitude[row], &bodies.solid[row]);
-            let old = bodies.held[row];
-            exchange(
-                &mut bodies.motion[row],
-                &mut bodies.spin[row],
-                q,
-                solid,
-                &old,
-                &new.held,
-            );
-            bodies.momentum[row] += new.held.angular - old.angular;
-            bodies.held[row] = new.stays;
-            bodies.push[row] = push_of(&new.pushed, &bodies.spin[row], q, solid);
-        }
+        let least = self.least_blocks();
+        let gathered = &self.gathered;
+        let mut movers = Movers::of(&mut self.bodies, least);
+        movers.each::<R>(|block| block.exchange::<R>(gathered));
+    }
+
+    /// Whether no joints hold the bodies and nothing but gravity pulls.
+    fn is_plain(&self) -> bool {
+        self.joints.is_empty() && !self.forces.any_pull() && self.forces.pivots.is_empty()
+    }
+
+    /// What bodies do in a substep, in one pass.
+    fn move_at_once(&mut self, kicks: bool, step: &Step) {
+        let least = self.least_blocks();
+        let gathered = &self.gathered;
+        let mut movers = Movers::of(&mut self.bodies, least);
+        movers.each::<R>(|block| block.substep::<R>(gathered, kicks, step));
     }
 
     // ANCHOR: advance
-    /// Every body moves. A body that nothing touches falls as it should: h v̄, not h v, is how far it
-    /// comes, where v̄ is the mean of its speeds before and after gravity's kick.
+    /// Every body moves.
     fn advance(&mut self, step: &Step) {
-        let bodies = &mut self.bodies;
-        for row in 0..bodies.rows() {
-            if bodies.spin[row].inverse_mass == 0.0 {
-                continue;
-            }
-            let Push {
-                velocity,
-                angular_velocity,
-                ..
-            } = bodies.push[row];
-            let motion = &mut bodies.motion[row];
-            let alone = self.joints.floats(row, &self.gathered);
-            let early = if alone {
-                0.5 * step.h * step.gravity
-            } else {
-                Vec3::ZERO
-            };
-            bodies.place[row].position += step.h * (motion.velocity + velocity - early);
-            motion.shares = self.gathered[row].counts.max(1.0);
-            turn(bodies, row, angular_velocity, step.h);
-        }
-        for k in 0..self.forces.pivots.len() {
-            let pivot = self.forces.pivots[k];
-            self.turn_about(&pivot, step);
-        }
+        let least = self.least_blocks();
+        let (gathered, joints) = (&self.gathered, &self.joints);
+        let mut movers = Movers::of(&mut self.bodies, least);
+        movers.each::<R>(|block| block.advance::<R>(gathered, joints, step));
+        self.forces.turn_pivots(&mut self.bodies, step);
     }
     // ANCHOR_END: advance
-
-    // ANCHOR: turn_about
-    /// A body on a fixed point: half of gravity's torque, a free turn, the other half.
-    fn turn_about(&mut self, pivot: &Pivot, step: &Step) {
-        let Pivot {
-            body,
-            point,
-            arm,
-            mass,
-        } = *pivot;
-        let bodies = &mut self.bodies;
-        let weight = mass * step.gravity;
-        let half = 0.5 * step.h;
-        let inverse_inertia = bodies.solid[body].inverse_inertia;
-        let push = bodies.push[body].angular_velocity;
-        bodies.momentum[body] += half * (bodies.attitude[body] * arm).cross(weight);
-        turn(bodies, body, push, step.h);
-        let q = bodies.attitude[body];
-        bodies.momentum[body] += half * (q * arm).cross(weight);
-        let w = rotation::moment(q, inverse_inertia, bodies.momentum[body]);
-        bodies.spin[body].angular_velocity = w;
-        bodies.place[body].position = point + q * arm;
-        bodies.motion[body].velocity = w.cross(q * arm);
-    }
-    // ANCHOR_END: turn_about
 
     // ANCHOR: bounce
     /// Restitution, once at the end of a step: a body's mass is now shared among the pairs that bounce.
     fn bounce(&mut self, step: &Step) {
-        let mut any = false;
-        for pair in 0..self.pairs.bodies.len() {
-            let (approach, material) = (self.pairs.approach[pair], &self.pairs.material[pair]);
-            let hits = bounces(approach, material, step);
-            self.pairs.press[pair].counts = f32::from(u8::from(hits));
-            any |= hits;
-        }
-        if !any {
+        let least = self.least_batches();
+        let bounces = Bounces::of(step);
+        self.pairs.batches.each(least, &bounces);
+        if !bounces.any() {
             return;
         }
         self.gather_pairs();
-        for row in 0..self.bodies.rows() {
-            self.bodies.motion[row].shares = self.gathered[row].counts.max(1.0);
+        for (row, sum) in self.gathered.iter().enumerate() {
+            self.bodies.motion[row].shares = sum.counts.max(1.0);
         }
-        for pair in 0..self.pairs.bodies.len() {
-            let sides = self.sides(pair);
-            let (m, material) = (&self.pairs.manifold[pair], &self.pairs.material[pair]);
-            let approach = self.pairs.approach[pair];
-            self.pairs.press[pair] = restore_pair(m, material, approach, sides, step);
-        }
+        let bodies = &self.bodies;
+        self.pairs.batches.each(least, &Restore { bodies, step });
         self.gather_pairs();
-        for row in 0..self.bodies.rows() {
-            let (q, solid) = (self.bodies.attitude[row], &self.bodies.solid[row]);
-            let (motion, spin) = (&mut self.bodies.motion[row], &mut self.bodies.spin[row]);
-            let held = &self.gathered[row].held;
-            exchange(motion, spin, q, solid, &Held::default(), held);
-            self.bodies.momentum[row] += held.angular;
-        }
+        let least = self.least_blocks();
+        let gathered = &self.gathered;
+        let mut movers = Movers::of(&mut self.bodies, least);
+        movers.each::<R>(|block| block.take_up::<R>(gathered));
     }
     // ANCHOR_END: bounce
 }
 
-/// A body turns for a substep, and is pushed.
-fn turn(bodies: &mut Bodies, row: usize, push: Vec3, h: f32) {
-    let (q, inverse_inertia) = (bodies.attitude[row], bodies.solid[row].inverse_inertia);
-    let (q, w) = if spin::is_round(inverse_inertia) {
-        turned(
-            q,
-            bodies.spin[row].angular_velocity,
-            push,
-            inverse_inertia,
-            h,
-        )
-    } else {
-        turned_with(q, bodies.momentum[row], push, inverse_inertia, h)
-    };
-    bodies.attitude[row] = q;
-    bodies.spin[row].angular_velocity = w;
+/// The sum of what its pairs did to a body.
+fn gathered<R: Real>(pairs: &Pairs<R>, row: usize) -> Gathered {
+    let mut sum = Gathered::default();
+    for &entry in pairs.of(row) {
+        sum.add(&pairs.batches.press[(entry >> 1) as usize], entry & 1 == 1);
+    }
+    sum
 }
 
 /// The pairs of bodies that joints connect, the smaller row first, in order.

@@ -22,8 +22,9 @@ pub const PUSH_SHARE_OF_MANY: f32 = 0.5;
 /// substep. Begun with again, it would be taken back only in part, and make energy.
 pub const IMPACT_SPEED: f32 = 0.2;
 
-/// The fastest push, m/s.
-pub const FASTEST_PUSH: f32 = 3.0;
+/// The fastest push, m/s. It adds no speed, so it may be fast: with 3 m/s a thousand balls that crash sink 1.3 R
+/// into each other, with 30 m/s 0.4 R; and of 80 ragdolls none is squeezed out of the box.
+pub const FASTEST_PUSH: f32 = 30.0;
 
 /// Slower approaches don't bounce, m/s, unless the scene says otherwise: chapter 3's threshold.
 pub const RESTITUTION_THRESHOLD: f32 = 0.5;

@@ -7,6 +7,11 @@
 //! A lane of eight has the bits that `f32` alone has: every operation here is one that IEEE 754 rounds
 //! correctly, or is made of such; multiply and add are never fused.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a formula that isn't expanded in place passes its lanes through memory"
+)]
+
 mod matrix;
 mod quaternion;
 mod real;
@@ -16,7 +21,18 @@ mod vector;
 
 pub use matrix::{Mat3, Symmetric};
 pub use quaternion::Quat;
-pub use real::{Eight, Four, Mask, Real};
-pub use rows::{gather, scatter, transpose};
+pub use real::{Eight, Four, MOST_LANES, Mask, Real};
+pub use rows::{gather, load, store};
 pub use trigonometry::{arc_tangent_of, sine_cosine};
 pub use vector::Vec3;
+
+/// What `number` gives for each of N places. [`std::array::from_fn`] isn't always expanded in place.
+#[inline(always)]
+#[must_use]
+pub fn array_of<T: Copy, const N: usize>(mut number: impl FnMut(usize) -> T) -> [T; N] {
+    let mut numbers = [number(0); N];
+    for (place, value) in numbers.iter_mut().enumerate().skip(1) {
+        *value = number(place);
+    }
+    numbers
+}

@@ -9,7 +9,8 @@ use glam::Vec3;
 
 use super::Lanes;
 use super::forces::Spring;
-use crate::own_row::contact::{Side, touching};
+use crate::own_row::contact::{Contact, touching};
+use crate::own_row::side::Side;
 use crate::rows::{FieldSpec, Impulse, Manifold, WgslType};
 use crate::rules::{METHOD, Rules};
 use crate::schema::{RowColumn, RowTable};
@@ -117,8 +118,13 @@ impl LanesEngine {
                 columns: vec![
                     RowColumn::of::<Manifold>(&pairs.manifold),
                     RowColumn::of::<Impulse>(&pairs.impulse),
-                    RowColumn::of(&pairs.press),
                 ],
+            },
+            RowTable {
+                name: "press",
+                about: "What bodies gather: a row a pair, batch by batch; lanes that are left over are empty.",
+                rows: pairs.batches.press.len(),
+                columns: vec![RowColumn::of(&pairs.batches.press)],
             },
         ]
     }
@@ -237,37 +243,36 @@ impl Engine for LanesEngine {
 impl LanesEngine {
     /// The points of a pair as the overlay draws them.
     fn contacts_of(&self, pair: usize) -> Vec<ContactPoint> {
-        let (bodies, pairs) = (&self.lanes.bodies, &self.lanes.pairs);
+        match self.lanes.pairs.manifold[pair].points {
+            0 => Vec::new(),
+            1 => self.points_of::<1>(pair),
+            2 => self.points_of::<2>(pair),
+            3 => self.points_of::<3>(pair),
+            _ => self.points_of::<4>(pair),
+        }
+    }
+
+    /// Those of a pair that has P.
+    fn points_of<const P: usize>(&self, pair: usize) -> Vec<ContactPoint> {
+        let pairs = &self.lanes.pairs;
         let (a, b) = pairs.bodies[pair];
-        let [one, two] = [a, b].map(|row| {
-            let rows = (&bodies.place[row], bodies.attitude[row]);
-            Side::of(
-                rows.0,
-                rows.1,
-                &bodies.motion[row],
-                &bodies.spin[row],
-                &bodies.solid[row],
-                bodies.before[row],
-            )
-        });
-        let m = &pairs.manifold[pair];
+        let [one, two] = [a, b].map(|row| Side::<f32>::of(&self.lanes.bodies, &[row as u32]));
+        let contact = Contact::<f32, P>::of(|_| &pairs.manifold[pair]);
         let impulse = &pairs.impulse[pair];
-        let t = touching(m, &one, &two);
-        let friction = impulse.friction / m.points.max(1) as f32;
+        let t = touching(&contact, &one, &two);
+        let normal = t.normal.lane(0);
+        let friction = impulse.friction / P as f32;
         let point = |k: usize| -> ContactPoint {
-            let received: Vec3 = -(impulse.normal[k] * t.normal + friction);
+            let received: Vec3 = -(impulse.normal[k] * normal + friction);
             ContactPoint {
                 a,
                 b,
-                point: (one.position + t.arm_a[k]).as_dvec3(),
-                normal: -t.normal.as_dvec3(),
+                point: (one.position + t.arm_a[k]).lane(0).as_dvec3(),
+                normal: -normal.as_dvec3(),
                 depth: f64::from(-t.distance[k]),
                 impulse: received.as_dvec3(),
             }
         };
-        (0..m.points as usize)
-            .map(point)
-            .filter(|c| c.depth >= 0.0)
-            .collect()
+        (0..P).map(point).filter(|c| c.depth >= 0.0).collect()
     }
 }

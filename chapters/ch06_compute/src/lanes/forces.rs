@@ -1,14 +1,15 @@
 //! What pulls bodies beyond gravity: magnetic poles, the mouse's spring, and points about which tops
 //! turn.
 
-use ch00_maths::f32::force;
 use ch00_maths::f32::impulse::Velocity;
 use ch00_maths::f32::inertia::about_point;
+use ch00_maths::f32::{force, rotation};
 use ch00_scenes::{Force, Scene};
 use glam::Vec3;
 
 use crate::bodies::Bodies;
-use crate::own_row::body::Pull;
+use crate::own_row::body::{Moving, Pull};
+use crate::rows::Step;
 
 /// All forces of a scene.
 #[derive(Clone, Debug, Default)]
@@ -139,6 +140,15 @@ impl Forces {
         }
     }
 
+    // ANCHOR: turn_about
+    /// Bodies on a fixed point move: half of gravity's torque, a free turn, the other half.
+    pub fn turn_pivots(&self, bodies: &mut Bodies, step: &Step) {
+        for pivot in &self.pivots {
+            turn_about(pivot, bodies, step);
+        }
+    }
+    // ANCHOR_END: turn_about
+
     // ANCHOR: feel
     /// What a pole feels of all others of its force that sit in other bodies.
     fn feel(&mut self, own: usize, bodies: &Bodies) {
@@ -172,4 +182,34 @@ impl Forces {
         self.pulls[row].acceleration += force * bodies.spin[row].inverse_mass;
         self.pulls[row].torque += torque;
     }
+}
+
+/// A body on a fixed point moves for a substep.
+fn turn_about(pivot: &Pivot, bodies: &mut Bodies, step: &Step) {
+    let Pivot {
+        body,
+        point,
+        arm,
+        mass,
+    } = *pivot;
+    let half_weight = (0.5 * step.h * mass) * step.gravity;
+    let inverse_inertia = bodies.solid[body].inverse_inertia;
+    let mut momentum = bodies.momentum[body];
+    momentum += (bodies.attitude[body] * arm).cross(half_weight);
+    let mut moving = Moving::<f32> {
+        attitude: bodies.attitude[body].into(),
+        momentum: momentum.into(),
+        inverse_inertia: inverse_inertia.into(),
+        angular_velocity: bodies.spin[body].angular_velocity.into(),
+        ..Moving::default()
+    };
+    moving.turn(bodies.push[body].angular_velocity.into(), step.h);
+    let q = moving.attitude.lane(0);
+    momentum += (q * arm).cross(half_weight);
+    let w = rotation::moment(q, inverse_inertia, momentum);
+    bodies.momentum[body] = momentum;
+    bodies.attitude[body] = q;
+    bodies.spin[body].angular_velocity = w;
+    bodies.place[body].position = point + q * arm;
+    bodies.motion[body].velocity = w.cross(q * arm);
 }

@@ -4,9 +4,9 @@ use ch00_scenes::Scene;
 
 use crate::bodies::Bodies;
 use crate::own_row::body::Gathered;
-use crate::own_row::contact::Side;
 use crate::own_row::limits::solve_limit;
 use crate::own_row::loops::solve_loop;
+use crate::own_row::one_side::Side;
 use crate::own_row::tree::Trees;
 use crate::rows::{FREE, Held, Node, Press, Turned};
 
@@ -40,6 +40,12 @@ impl Joints {
             pressed: vec![Press::default(); trees.loops.len()],
             trees,
         }
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.trees.is_empty() && self.trees.loops.is_empty()
     }
 
     /// Forgets what held in the last substep.

@@ -1,34 +1,47 @@
 //! The pairs of a step: where they touch, and what they pressed in the last step.
 
-use glam::Vec4;
-
+use super::batches::{Batches, Pair};
 use crate::bodies::Bodies;
 use crate::own_row::narrow::{Posed, manifold};
-use crate::rows::{Impulse, Manifold, Material, Press};
+use crate::rows::{Impulse, Manifold, Material};
 use crate::rules::MARGIN;
+use crate::simd::Real;
 
-/// All pairs that touch or may touch in the step: a column a kind of row, in the order of their bodies.
-#[derive(Clone, Debug, Default)]
-pub struct Pairs {
+/// All pairs that touch or may touch in the step, in the order of their bodies.
+#[derive(Clone, Debug)]
+pub struct Pairs<R: Real> {
     /// Rows of the two bodies, the smaller first.
     pub bodies: Vec<(usize, usize)>,
     /// Where they touch.
     pub manifold: Vec<Manifold>,
     /// What becomes of them there.
     pub material: Vec<Material>,
-    /// What they press and rub.
+    /// What they pressed and rubbed in the last step.
     pub impulse: Vec<Impulse>,
-    /// How fast each point came this step, m/s, negative; 0 where it didn't.
-    pub approach: Vec<Vec4>,
-    /// What their bodies gather.
-    pub press: Vec<Press>,
+    /// What they press and rub now, in lanes.
+    pub batches: Batches<R>,
     /// By body: where its pairs begin in `of_body`; one more at the end.
     pub starts: Vec<u32>,
-    /// The pairs of each body, in the order of the other body's ID.
+    /// The pairs of each body, in the order of the other body's ID: twice the row of what it gathers, and 1
+    /// where the body is b.
     pub of_body: Vec<u32>,
 }
 
-impl Pairs {
+impl<R: Real> Default for Pairs<R> {
+    fn default() -> Self {
+        Self {
+            bodies: Vec::new(),
+            manifold: Vec::new(),
+            material: Vec::new(),
+            impulse: Vec::new(),
+            batches: Batches::default(),
+            starts: Vec::new(),
+            of_body: Vec::new(),
+        }
+    }
+}
+
+impl<R: Real> Pairs<R> {
     /// The pairs of a body.
     #[must_use]
     pub fn of(&self, row: usize) -> &[u32] {
@@ -44,10 +57,17 @@ impl Pairs {
         self.manifold = kept.iter().map(|&pair| self.manifold[pair]).collect();
         self.material = kept.iter().map(|&pair| self.material[pair]).collect();
         self.impulse = kept.iter().map(|&pair| self.impulse[pair]).collect();
-        self.approach = kept.iter().map(|&pair| self.approach[pair]).collect();
         let bodies = kept.iter().map(|&pair| self.bodies[pair]);
         self.bodies = bodies.map(|(a, b)| (moved(a), moved(b))).collect();
-        list(self.starts.len().saturating_sub(2), self);
+        let rows = self.starts.len().saturating_sub(2);
+        self.fill(rows);
+    }
+
+    /// Brings what was pressed from the lanes into a row a pair.
+    pub fn write_back(&mut self) {
+        for (pair, impulse) in self.impulse.iter_mut().enumerate() {
+            *impulse = self.batches.impulse(pair);
+        }
     }
 
     fn clear(&mut self) {
@@ -55,14 +75,33 @@ impl Pairs {
         self.manifold.clear();
         self.material.clear();
         self.impulse.clear();
-        self.approach.clear();
+    }
+
+    /// Puts the pairs into lanes, and lists those of each of so many bodies.
+    fn fill(&mut self, rows: usize) {
+        self.batches.fill(self.bodies.len(), |pair| {
+            let (a, b) = self.bodies[pair];
+            Pair {
+                bodies: (a as u32, b as u32),
+                manifold: &self.manifold[pair],
+                material: self.material[pair],
+                impulse: self.impulse[pair],
+            }
+        });
+        list(rows, self);
     }
 }
 
 // ANCHOR: meet
 /// Narrow phase: where each pair touches or may touch; impulses of the last step go on where the same
 /// features still touch.
-pub fn meet(found: &[(usize, usize)], bodies: &Bodies, dt: f32, last: &Pairs, pairs: &mut Pairs) {
+pub fn meet<R: Real>(
+    found: &[(usize, usize)],
+    bodies: &Bodies,
+    dt: f32,
+    last: &Pairs<R>,
+    pairs: &mut Pairs<R>,
+) {
     pairs.clear();
     let mut old = 0;
     for &(a, b) in found {
@@ -88,9 +127,8 @@ pub fn meet(found: &[(usize, usize)], bodies: &Bodies, dt: f32, last: &Pairs, pa
         pairs
             .material
             .push(between(&bodies.material[a], &bodies.material[b]));
-        pairs.approach.push(Vec4::ZERO);
     }
-    list(bodies.rows(), pairs);
+    pairs.fill(bodies.rows());
 }
 // ANCHOR_END: meet
 
@@ -149,9 +187,7 @@ pub fn between(a: &Material, b: &Material) -> Material {
 
 /// Lists the pairs of each body. They come in the order of a, then b, so each list is in the order of
 /// the partner.
-fn list(rows: usize, pairs: &mut Pairs) {
-    pairs.press.clear();
-    pairs.press.resize(pairs.bodies.len(), Press::default());
+fn list<R: Real>(rows: usize, pairs: &mut Pairs<R>) {
     pairs.starts.clear();
     pairs.starts.resize(rows + 1, 0);
     for &(a, b) in &pairs.bodies {
@@ -165,9 +201,9 @@ fn list(rows: usize, pairs: &mut Pairs) {
     let mut next = pairs.starts.clone();
     pairs.of_body.clear();
     pairs.of_body.resize(2 * pairs.bodies.len(), 0);
-    for (pair, &(a, b)) in pairs.bodies.iter().enumerate() {
-        for row in [a, b] {
-            pairs.of_body[next[row] as usize] = pair as u32;
+    for (&(a, b), &place) in pairs.bodies.iter().zip(&pairs.batches.place) {
+        for (row, is_b) in [(a, 0), (b, 1)] {
+            pairs.of_body[next[row] as usize] = 2 * place + is_b;
             next[row] += 1;
         }
     }

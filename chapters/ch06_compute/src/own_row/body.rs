@@ -1,51 +1,165 @@
 //! What a body does in a substep: it takes up what pulls and holds it, gathers what its pairs did to
-//! it, and moves.
+//! it, and moves. The formulas are written for as many bodies as a [`Real`] has lanes.
 
-use ch00_maths::f32::{free_rotation, rotation, spin};
-use glam::{Quat, Vec3};
+use bytemuck::{Pod, Zeroable};
 
-use crate::rows::{Held, Motion, Press, Push, Solid, Spin, Step, Turned};
+use super::free_rotation;
+use crate::rows::{Held, Press, Step, Turned};
+use crate::simd::{Four, Mask, Quat, Real, Vec3};
 
-// ANCHOR: kick
-/// Starts a substep: gravity, drag, other pulls, and what held the body in the last substep.
-pub fn kick(
-    motion: &mut Motion,
-    spin: &mut Spin,
-    attitude: Quat,
-    solid: &Solid,
-    held: &Held,
-    pull: &Pull,
-    step: &Step,
-) {
-    if spin.inverse_mass > 0.0 {
-        motion.velocity += step.h * step.gravity;
-    }
-    motion.velocity += step.h * pull.acceleration + held.linear * spin.inverse_mass;
-    motion.velocity *= step.drag;
-    let turning = held.angular + step.h * pull.torque;
-    spin.angular_velocity += rotation::moment(attitude, solid.inverse_inertia, turning);
-    spin.angular_velocity *= step.drag;
+// ANCHOR: moving
+/// Where bodies are and how they move, a body a lane.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Moving<R> {
+    /// World position, m.
+    pub position: Vec3<R>,
+    /// Body to world.
+    pub attitude: Quat<R>,
+    /// m/s.
+    pub velocity: Vec3<R>,
+    /// rad/s.
+    pub angular_velocity: Vec3<R>,
+    /// World angular momentum, kg m²/s. A ball has none here: it doesn't need it to turn.
+    pub momentum: Vec3<R>,
+    /// 0 for a static body.
+    pub inverse_mass: R,
+    /// Inverse principal moments, in its own axes; 0 for a static body.
+    pub inverse_inertia: Vec3<R>,
 }
 
-/// The same for its angular momentum, kg m²/s, world.
-pub fn kick_momentum(momentum: &mut Vec3, held: &Held, pull: &Pull, step: &Step) {
-    *momentum += held.angular + step.h * pull.torque;
-    *momentum *= step.drag;
+/// Impulses that hold bodies, or push them, a body a lane.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Holding<R> {
+    /// Through its origin, N s.
+    pub linear: Vec3<R>,
+    /// About its origin, N m s.
+    pub angular: Vec3<R>,
 }
-// ANCHOR_END: kick
+
+/// What pulls bodies beyond gravity, a body a lane.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Pulling<R> {
+    /// m/s².
+    pub acceleration: Vec3<R>,
+    /// About its origin, world axes, N m.
+    pub torque: Vec3<R>,
+}
+// ANCHOR_END: moving
 
 /// What pulls a body beyond gravity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pull {
     /// m/s².
-    pub acceleration: Vec3,
+    pub acceleration: glam::Vec3,
     /// About its origin, world axes, N m.
-    pub torque: Vec3,
+    pub torque: glam::Vec3,
 }
 
-// ANCHOR: gather
+impl<R: Real> Moving<R> {
+    // ANCHOR: kick
+    /// Starts a substep: gravity, drag, other pulls, and what held the body in the last substep.
+    #[inline(always)]
+    pub fn kick(&mut self, held: &Holding<R>, pull: &Pulling<R>, step: &Step) {
+        let (h, drag) = (R::splat(step.h), R::splat(step.drag));
+        let falls = self.inverse_mass.gt(R::splat(0.0));
+        let gravity = Vec3::all(step.h * step.gravity);
+        self.velocity += Vec3::select(falls, gravity, Vec3::zero());
+        self.velocity += pull.acceleration * h + held.linear * self.inverse_mass;
+        self.velocity = self.velocity * drag;
+        let turning = held.angular + pull.torque * h;
+        self.angular_velocity += self.turned_by(turning);
+        self.angular_velocity = self.angular_velocity * drag;
+        self.momentum = (self.momentum + turning) * drag;
+    }
+    // ANCHOR_END: kick
+
+    // ANCHOR: exchange
+    /// Puts what holds the body now in the place of what it started the substep with.
+    #[inline(always)]
+    pub fn exchange(&mut self, old: &Holding<R>, new: &Holding<R>) {
+        self.velocity += (new.linear - old.linear) * self.inverse_mass;
+        let turning = new.angular - old.angular;
+        self.angular_velocity += self.turned_by(turning);
+        self.momentum += turning;
+    }
+    // ANCHOR_END: exchange
+
+    /// The velocities that pushes are, for this body.
+    #[inline(always)]
+    #[must_use]
+    pub fn push_of(&self, pushed: &Holding<R>) -> [Vec3<R>; 2] {
+        [
+            pushed.linear * self.inverse_mass,
+            self.turned_by(pushed.angular),
+        ]
+    }
+
+    /// I⁻¹ T in world axes.
+    #[inline(always)]
+    #[must_use]
+    pub fn turned_by(&self, turning: Vec3<R>) -> Vec3<R> {
+        let round = turning * self.inverse_inertia.x;
+        if !(!self.is_round()).any() {
+            return round;
+        }
+        let other = self.attitude.moment(self.inverse_inertia, turning);
+        Vec3::select(self.is_round(), round, other)
+    }
+
+    /// Whether the three moments are equal, as a ball's are.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_round(&self) -> R::Mask {
+        let Vec3 { x, y, z } = self.inverse_inertia;
+        x.same(y) & y.same(z)
+    }
+
+    // ANCHOR: advance
+    /// Moves the body for a substep. One that nothing touches falls as it should: h v̄, not h v, is how far
+    /// it comes, where v̄ is the mean of its speeds before and after gravity's kick.
+    #[inline(always)]
+    pub fn advance(&mut self, [push, push_spin]: [Vec3<R>; 2], alone: R::Mask, step: &Step) {
+        let early = Vec3::all(0.5 * step.h * step.gravity);
+        let early = Vec3::select(alone, early, Vec3::zero());
+        let moves = self.inverse_mass.gt(R::splat(0.0));
+        let way = (self.velocity + push - early) * R::splat(step.h);
+        self.position += Vec3::select(moves, way, Vec3::zero());
+        let mut after = *self;
+        after.turn(push_spin, step.h);
+        self.attitude = Quat::select(moves, after.attitude, self.attitude);
+        self.angular_velocity = Vec3::select(moves, after.angular_velocity, self.angular_velocity);
+    }
+    // ANCHOR_END: advance
+
+    // ANCHOR: turned
+    /// The attitude and the angular velocity after a substep: the push turns it, and then it turns freely
+    /// with its angular momentum (chapter 2's splitting, so that errata 3 and 5 stay mended).
+    ///
+    /// The momentum is kept. Read from the angular velocity in each substep, it would grow by a rounding
+    /// each time: 2e-7 of it, which after 10 s is 1e-3.
+    #[inline(always)]
+    pub fn turn(&mut self, push: Vec3<R>, h: f32) {
+        let round = self
+            .attitude
+            .turned((self.angular_velocity + push) * R::splat(h));
+        if !(!self.is_round()).any() {
+            self.attitude = round;
+            return;
+        }
+        let is_round = self.is_round();
+        let inertia = self.inverse_inertia.recip();
+        let pushed = self.attitude.turned(push * R::splat(h));
+        let other = free_rotation::attitude_after(pushed, inertia, self.momentum, h);
+        let spin = other.moment(self.inverse_inertia, self.momentum);
+        self.attitude = Quat::select(is_round, round, other);
+        self.angular_velocity = Vec3::select(is_round, self.angular_velocity, spin);
+    }
+    // ANCHOR_END: turned
+}
+
 /// What a body's pairs did to it, summed in the order of their IDs.
-#[derive(Clone, Copy, Debug, Default)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Gathered {
     /// The impulses of this substep.
     pub held: Held,
@@ -57,23 +171,32 @@ pub struct Gathered {
     pub counts: f32,
     /// How many pairs count.
     pub touches: f32,
+    spare: [f32; 2],
 }
 
+// ANCHOR: gather
 impl Gathered {
-    /// Adds a pair in which the body is b, or a.
+    /// Adds a pair in which the body is b, or a: four numbers at a time, of which the last is unused.
+    #[inline(always)]
     pub fn add(&mut self, press: &Press, is_b: bool) {
         let sign = if is_b { 1.0 } else { -1.0 };
-        let turning = if is_b {
-            press.angular_b
-        } else {
-            press.angular_a
+        let given: &[[f32; 4]; 6] = bytemuck::cast_ref(press);
+        let (linear, push) = (Four::new(given[0]), Four::new(given[3]));
+        let turning = Four::new(given[1 + usize::from(is_b)]);
+        let push_turning = Four::new(given[4 + usize::from(is_b)]);
+        let forth = Four::new([sign, sign, sign, 0.0]);
+        let three = Four::new([1.0, 1.0, 1.0, 0.0]);
+        let stays = Four::splat(press.stays);
+        let sums: &mut [[f32; 4]; 7] = bytemuck::cast_mut(self);
+        let mut sum = |row: usize, more: Four| {
+            sums[row] = (Four::new(sums[row]) + more).to_array();
         };
-        self.held.linear += sign * press.linear;
-        self.held.angular += turning;
-        self.stays.linear += sign * press.stays * press.linear;
-        self.stays.angular += press.stays * turning;
-        self.pushed.linear += sign * press.push;
-        self.pushed.angular += if is_b { press.push_b } else { press.push_a };
+        sum(0, linear * forth);
+        sum(1, turning * three);
+        sum(2, linear * forth * stays);
+        sum(3, turning * three * stays);
+        sum(4, push * forth);
+        sum(5, push_turning * three);
         self.counts += press.counts;
         self.touches += press.counts;
     }
@@ -89,69 +212,14 @@ impl Gathered {
 }
 // ANCHOR_END: gather
 
-// ANCHOR: exchange
-/// Puts what holds the body now in the place of what it started the substep with.
-pub fn exchange(
-    motion: &mut Motion,
-    spin: &mut Spin,
-    attitude: Quat,
-    solid: &Solid,
-    old: &Held,
-    new: &Held,
-) {
-    motion.velocity += (new.linear - old.linear) * spin.inverse_mass;
-    let turning = new.angular - old.angular;
-    spin.angular_velocity += rotation::moment(attitude, solid.inverse_inertia, turning);
-}
-// ANCHOR_END: exchange
-
-/// The velocities that pushes are, for this body.
+/// Rows of two vectors, a row a lane.
+#[inline(always)]
 #[must_use]
-pub fn push_of(pushed: &Held, spin: &Spin, attitude: Quat, solid: &Solid) -> Push {
-    Push {
-        velocity: pushed.linear * spin.inverse_mass,
-        angular_velocity: rotation::moment(attitude, solid.inverse_inertia, pushed.angular),
-        ..Push::default()
+pub fn holding<R: Real>(rows: impl Fn(usize) -> Held) -> Holding<R> {
+    let [x, y, z, _] = R::of_rows(|lane| bytemuck::cast::<Held, [[f32; 4]; 2]>(rows(lane))[0]);
+    let [tx, ty, tz, _] = R::of_rows(|lane| bytemuck::cast::<Held, [[f32; 4]; 2]>(rows(lane))[1]);
+    Holding {
+        linear: Vec3::new(x, y, z),
+        angular: Vec3::new(tx, ty, tz),
     }
 }
-
-// ANCHOR: turned
-/// The attitude and the angular velocity after a substep: the push turns it, and then it turns freely
-/// with its angular momentum (chapter 2's splitting, so that errata 3 and 5 stay mended).
-#[must_use]
-pub fn turned(
-    attitude: Quat,
-    angular_velocity: Vec3,
-    push: Vec3,
-    inverse_inertia: Vec3,
-    h: f32,
-) -> (Quat, Vec3) {
-    if spin::is_round(inverse_inertia) {
-        return (
-            rotation::turned(attitude, h * (angular_velocity + push)),
-            angular_velocity,
-        );
-    }
-    let momentum = rotation::moment(attitude, inverse_inertia.recip(), angular_velocity);
-    turned_with(attitude, momentum, push, inverse_inertia, h)
-}
-
-/// The same for a body whose angular momentum is known, kg m²/s, world. Read from the angular velocity in
-/// each substep, it would grow by a rounding each time: 2e-7 of it, which after 10 s is 1e-3.
-#[must_use]
-pub fn turned_with(
-    attitude: Quat,
-    momentum: Vec3,
-    push: Vec3,
-    inverse_inertia: Vec3,
-    h: f32,
-) -> (Quat, Vec3) {
-    let inertia = inverse_inertia.recip();
-    let attitude = rotation::turned(attitude, h * push);
-    let attitude = free_rotation::attitude_after(attitude, inertia, momentum, h);
-    (
-        attitude,
-        rotation::moment(attitude, inverse_inertia, momentum),
-    )
-}
-// ANCHOR_END: turned

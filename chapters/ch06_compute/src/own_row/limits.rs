@@ -14,8 +14,8 @@ use ch00_maths::f32::swing_twist::{cone, decompose, swing_axes, twist_axis};
 use ch00_scenes::{EulerLimits, Joint, Scene};
 use glam::{DQuat, DVec3, Quat, Vec3};
 
-use super::contact::Side;
 use super::loops::point_reply;
+use super::one_side::Side;
 use super::tree::Symmetric;
 use crate::rows::{CONE_TWIST, EULER, FREE_ANGLE, Limit, Turned};
 

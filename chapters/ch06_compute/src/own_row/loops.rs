@@ -7,7 +7,7 @@
 
 use glam::Vec3;
 
-use super::contact::{Side, across};
+use super::one_side::{Side, across};
 use super::tree::{Bone, Link, Rate, Symmetric, Wrench, link_of};
 use crate::rows::{HINGE, Node, Press, ROD};
 

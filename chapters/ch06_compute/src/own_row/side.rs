@@ -27,13 +27,13 @@ pub struct Side<R> {
 // ANCHOR: side_of
 impl<R: Real> Side<R> {
     /// Gathers it from the bodies' columns, for as many rows as there are lanes.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn of(bodies: &Bodies, rows: &[u32]) -> Self {
-        let [x, y, z, _] = gather::<R, 4>(bytemuck::cast_slice(&bodies.place), rows);
-        let [i, j, k, w] = gather::<R, 4>(bytemuck::cast_slice(&bodies.attitude), rows);
-        let [vx, vy, vz, shares] = gather::<R, 4>(bytemuck::cast_slice(&bodies.motion), rows);
-        let [wx, wy, wz, inverse_mass] = gather::<R, 4>(bytemuck::cast_slice(&bodies.spin), rows);
+        let [x, y, z, _] = gather::<R>(bytemuck::cast_slice(&bodies.place), rows);
+        let [i, j, k, w] = gather::<R>(bytemuck::cast_slice(&bodies.attitude), rows);
+        let [vx, vy, vz, shares] = gather::<R>(bytemuck::cast_slice(&bodies.motion), rows);
+        let [wx, wy, wz, inverse_mass] = gather::<R>(bytemuck::cast_slice(&bodies.spin), rows);
         let inverse_inertia = Vec3::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia);
         let attitude = Quat {
             v: Vec3::new(i, j, k),
@@ -52,14 +52,14 @@ impl<R: Real> Side<R> {
 
     /// The same body, moved by an impulse through its origin and a turning impulse: what the row alone
     /// makes of it.
-    #[inline]
+    #[inline(always)]
     pub fn take(&mut self, impulse: Vec3<R>, turning: Vec3<R>) {
         self.velocity += impulse * self.shared_mass;
         self.angular_velocity += self.shared_inertia.times(turning);
     }
 
     /// World velocity of the body's point at `arm`, m/s.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn velocity_at(&self, arm: Vec3<R>) -> Vec3<R> {
         self.velocity + self.angular_velocity.cross(arm)

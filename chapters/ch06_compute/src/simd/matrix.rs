@@ -17,13 +17,13 @@ pub struct Mat3<R> {
 
 impl<R: Real> Mat3<R> {
     /// Of three columns.
-    #[inline]
+    #[inline(always)]
     pub fn from_cols(x: Vec3<R>, y: Vec3<R>, z: Vec3<R>) -> Self {
         Self { x, y, z }
     }
 
     /// One where yes, the other where no.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
         Self {
@@ -34,7 +34,7 @@ impl<R: Real> Mat3<R> {
     }
 
     /// Mᵀ v: what v is along the columns.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn transposed_times(self, v: Vec3<R>) -> Vec3<R> {
         Vec3::new(self.x.dot(v), self.y.dot(v), self.z.dot(v))
@@ -44,7 +44,7 @@ impl<R: Real> Mat3<R> {
 impl<R: Real> Add for Mat3<R> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self::from_cols(self.x + other.x, self.y + other.y, self.z + other.z)
     }
@@ -53,7 +53,7 @@ impl<R: Real> Add for Mat3<R> {
 impl<R: Real> Mul<Vec3<R>> for Mat3<R> {
     type Output = Vec3<R>;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, v: Vec3<R>) -> Vec3<R> {
         self.x * v.x + self.y * v.y + self.z * v.z
     }
@@ -70,7 +70,7 @@ pub struct Symmetric<R> {
 
 impl<R: Real> Symmetric<R> {
     /// The same number thrice on the diagonal.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn splat(number: R) -> Self {
         Self {
@@ -80,7 +80,7 @@ impl<R: Real> Symmetric<R> {
     }
 
     /// u uᵀ.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn outer(u: Vec3<R>) -> Self {
         Self {
@@ -90,7 +90,7 @@ impl<R: Real> Symmetric<R> {
     }
 
     /// u vᵀ + v uᵀ.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn outer_pair(u: Vec3<R>, v: Vec3<R>) -> Self {
         Self {
@@ -104,7 +104,7 @@ impl<R: Real> Symmetric<R> {
     }
 
     /// R diag(d) Rᵀ, where R's columns are `axes`: principal moments in world axes.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn turned(axes: Mat3<R>, moments: Vec3<R>) -> Self {
         Self::outer(axes.x)
@@ -114,7 +114,7 @@ impl<R: Real> Symmetric<R> {
     }
 
     /// The sum of both.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self {
@@ -124,7 +124,7 @@ impl<R: Real> Symmetric<R> {
     }
 
     /// All six times a number.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn scaled(self, number: R) -> Self {
         Self {
@@ -134,7 +134,7 @@ impl<R: Real> Symmetric<R> {
     }
 
     /// S v.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn times(self, v: Vec3<R>) -> Vec3<R> {
         let Self { diagonal, off } = self;
@@ -146,7 +146,7 @@ impl<R: Real> Symmetric<R> {
     }
 
     /// Its columns, which are its rows too.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn columns(self) -> [Vec3<R>; 3] {
         let Self { diagonal, off } = self;
@@ -163,7 +163,7 @@ impl<R: Real> Symmetric<R> {
     /// The numbers of D are Schur complements of S, and none of these is below its least eigenvalue. So
     /// `least` changes nothing but what rounding spoiled: a thin link that carries a heavy ball has
     /// moments that differ by more than f32 can hold.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn inverse(self, least: R) -> Self {
         let Self { diagonal, off } = self;

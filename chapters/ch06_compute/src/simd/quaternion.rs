@@ -14,7 +14,7 @@ pub struct Quat<R> {
 
 impl<R: Real> Quat<R> {
     /// What `quat` gives for each lane.
-    #[inline]
+    #[inline(always)]
     pub fn of(mut quat: impl FnMut(usize) -> glam::Quat) -> Self {
         Self {
             v: Vec3::of(|lane| {
@@ -26,14 +26,14 @@ impl<R: Real> Quat<R> {
     }
 
     /// The quaternion in a lane.
-    #[inline]
+    #[inline(always)]
     pub fn lane(self, lane: usize) -> glam::Quat {
         let v = self.v.lane(lane);
         glam::Quat::from_xyzw(v.x, v.y, v.z, self.w.lane(lane))
     }
 
     /// No turn.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn identity() -> Self {
         Self {
@@ -43,7 +43,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// u turned by q: u + 2 w (v × u) + 2 v × (v × u), where q = (v, w).
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn rotate(self, u: Vec3<R>) -> Vec3<R> {
         let t = self.v.cross(u) * R::splat(2.0);
@@ -51,14 +51,14 @@ impl<R: Real> Quat<R> {
     }
 
     /// u turned back by q.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn rotate_back(self, u: Vec3<R>) -> Vec3<R> {
         self.conjugate().rotate(u)
     }
 
     /// q̄: the turn back.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn conjugate(self) -> Self {
         Self {
@@ -68,7 +68,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// The product a b: first b's turn, then a's.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn product(self, b: Self) -> Self {
         Self {
@@ -78,7 +78,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// As long as one.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn normalize(self) -> Self {
         let length = (self.v.length_squared() + self.w * self.w).sqrt();
@@ -90,7 +90,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// One where yes, the other where no.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
         Self {
@@ -100,7 +100,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// q or −q, which is the same turn: the one with w ≥ 0.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn upper(self) -> Self {
         let below = self.w.lt(R::splat(0.0));
@@ -111,7 +111,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// exp: the unit quaternion that turns by θ, rad.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn exp(theta: Vec3<R>) -> Self {
         let half2 = theta.length_squared() * R::splat(0.25);
@@ -128,7 +128,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// log: the rotation vector of a unit quaternion, rad, the shorter way round.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn log(self) -> Vec3<R> {
         let upper = self.upper();
@@ -146,14 +146,14 @@ impl<R: Real> Quat<R> {
     }
 
     /// q turned by the world-frame rotation vector θ, rad.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn turned(self, theta: Vec3<R>) -> Self {
         Self::exp(theta).product(self).normalize()
     }
 
     /// The matrix that turns as q does: its columns are the turned axes.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrix(self) -> Mat3<R> {
         let (v, one) = (self.v, R::splat(1.0));
@@ -170,7 +170,7 @@ impl<R: Real> Quat<R> {
 
     /// M(q, I, a): what the world vector a, an angular momentum or a torque, is as angular velocity or
     /// acceleration, where the body has these inverse moments.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn moment(self, inverse_inertia: Vec3<R>, a: Vec3<R>) -> Vec3<R> {
         self.rotate(self.rotate_back(a) * inverse_inertia)
@@ -178,7 +178,7 @@ impl<R: Real> Quat<R> {
 }
 
 impl From<glam::Quat> for Quat<f32> {
-    #[inline]
+    #[inline(always)]
     fn from(q: glam::Quat) -> Self {
         Self {
             v: Vec3::new(q.x, q.y, q.z),

@@ -11,6 +11,9 @@ pub type Four = f32x4;
 /// Eight lanes: two instructions of four where the processor has no wider ones.
 pub type Eight = f32x8;
 
+/// The most lanes that a number has here.
+pub const MOST_LANES: usize = 8;
+
 // ANCHOR: real
 /// A number in each lane.
 pub trait Real:
@@ -43,6 +46,12 @@ pub trait Real:
 
     /// The number in a lane.
     fn lane(self, lane: usize) -> f32;
+
+    /// Rows of four numbers, a row a lane, turned into four numbers a lane.
+    fn of_rows(row: impl FnMut(usize) -> [f32; 4]) -> [Self; 4];
+
+    /// The way back. Rows behind the last lane are nothing.
+    fn to_rows(columns: [Self; 4]) -> [[f32; 4]; MOST_LANES];
 
     /// Without its sign.
     #[must_use]
@@ -112,12 +121,12 @@ pub trait Mask:
 // ANCHOR_END: real
 
 impl Mask for bool {
-    #[inline]
+    #[inline(always)]
     fn splat(yes: bool) -> Self {
         yes
     }
 
-    #[inline]
+    #[inline(always)]
     fn any(self) -> bool {
         self
     }
@@ -128,67 +137,79 @@ impl Real for f32 {
 
     const LANES: usize = 1;
 
-    #[inline]
+    #[inline(always)]
     fn splat(number: f32) -> Self {
         number
     }
 
-    #[inline]
+    #[inline(always)]
     fn of(mut number: impl FnMut(usize) -> f32) -> Self {
         number(0)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lane(self, _: usize) -> f32 {
         self
     }
 
-    #[inline]
+    #[inline(always)]
+    fn of_rows(mut row: impl FnMut(usize) -> [f32; 4]) -> [Self; 4] {
+        row(0)
+    }
+
+    #[inline(always)]
+    fn to_rows(columns: [Self; 4]) -> [[f32; 4]; MOST_LANES] {
+        let mut rows = [[0.0; 4]; MOST_LANES];
+        rows[0] = columns;
+        rows
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         f32::abs(self)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         f32::sqrt(self)
     }
 
-    #[inline]
+    #[inline(always)]
     fn round(self) -> Self {
         self.round_ties_even()
     }
 
-    #[inline]
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
 
-    #[inline]
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         if self < other { self } else { other }
     }
 
-    #[inline]
+    #[inline(always)]
     fn lt(self, other: Self) -> bool {
         self < other
     }
 
-    #[inline]
+    #[inline(always)]
     fn le(self, other: Self) -> bool {
         self <= other
     }
 
-    #[inline]
+    #[inline(always)]
     fn gt(self, other: Self) -> bool {
         self > other
     }
 
-    #[inline]
+    #[inline(always)]
     fn same(self, other: Self) -> bool {
         self == other
     }
 
-    #[inline]
+    #[inline(always)]
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }
@@ -196,7 +217,7 @@ impl Real for f32 {
 
 /// Lanes of a type of `wide`. Its comparisons give all bits of a lane or none.
 macro_rules! lanes {
-    ($wide:ty, $mask:ident, $count:literal) => {
+    ($wide:ty, $mask:ident, $count:literal, $of_rows:ident, $to_rows:ident) => {
         /// Yes or no in each lane: all bits or none.
         #[derive(Clone, Copy, Debug)]
         pub struct $mask($wide);
@@ -204,7 +225,7 @@ macro_rules! lanes {
         impl BitAnd for $mask {
             type Output = Self;
 
-            #[inline]
+            #[inline(always)]
             fn bitand(self, other: Self) -> Self {
                 Self(self.0 & other.0)
             }
@@ -213,7 +234,7 @@ macro_rules! lanes {
         impl BitOr for $mask {
             type Output = Self;
 
-            #[inline]
+            #[inline(always)]
             fn bitor(self, other: Self) -> Self {
                 Self(self.0 | other.0)
             }
@@ -222,14 +243,14 @@ macro_rules! lanes {
         impl Not for $mask {
             type Output = Self;
 
-            #[inline]
+            #[inline(always)]
             fn not(self) -> Self {
                 Self(!self.0)
             }
         }
 
         impl Mask for $mask {
-            #[inline]
+            #[inline(always)]
             fn splat(yes: bool) -> Self {
                 Self(<$wide>::splat(f32::from_bits(if yes {
                     u32::MAX
@@ -238,7 +259,7 @@ macro_rules! lanes {
                 })))
             }
 
-            #[inline]
+            #[inline(always)]
             fn any(self) -> bool {
                 self.0.any()
             }
@@ -249,67 +270,81 @@ macro_rules! lanes {
 
             const LANES: usize = $count;
 
-            #[inline]
+            #[inline(always)]
             fn splat(number: f32) -> Self {
                 <$wide>::splat(number)
             }
 
-            #[inline]
-            fn of(number: impl FnMut(usize) -> f32) -> Self {
-                <$wide>::new(std::array::from_fn(number))
+            #[inline(always)]
+            fn of(mut number: impl FnMut(usize) -> f32) -> Self {
+                let mut numbers = [0.0; $count];
+                for (lane, place) in numbers.iter_mut().enumerate() {
+                    *place = number(lane);
+                }
+                <$wide>::new(numbers)
             }
 
-            #[inline]
+            #[inline(always)]
             fn lane(self, lane: usize) -> f32 {
-                self.to_array()[lane]
+                self.as_array()[lane]
             }
 
-            #[inline]
+            #[inline(always)]
+            fn of_rows(row: impl FnMut(usize) -> [f32; 4]) -> [Self; 4] {
+                $of_rows(row)
+            }
+
+            #[inline(always)]
+            fn to_rows(columns: [Self; 4]) -> [[f32; 4]; MOST_LANES] {
+                $to_rows(columns)
+            }
+
+            #[inline(always)]
             fn abs(self) -> Self {
                 <$wide>::abs(self)
             }
 
-            #[inline]
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 <$wide>::sqrt(self)
             }
 
-            #[inline]
+            #[inline(always)]
             fn round(self) -> Self {
                 <$wide>::round_ties_even(self)
             }
 
-            #[inline]
+            #[inline(always)]
             fn max(self, other: Self) -> Self {
                 self.fast_max(other)
             }
 
-            #[inline]
+            #[inline(always)]
             fn min(self, other: Self) -> Self {
                 self.fast_min(other)
             }
 
-            #[inline]
+            #[inline(always)]
             fn lt(self, other: Self) -> $mask {
                 $mask(self.simd_lt(other))
             }
 
-            #[inline]
+            #[inline(always)]
             fn le(self, other: Self) -> $mask {
                 $mask(self.simd_le(other))
             }
 
-            #[inline]
+            #[inline(always)]
             fn gt(self, other: Self) -> $mask {
                 $mask(self.simd_gt(other))
             }
 
-            #[inline]
+            #[inline(always)]
             fn same(self, other: Self) -> $mask {
                 $mask(self.simd_eq(other))
             }
 
-            #[inline]
+            #[inline(always)]
             fn select(mask: $mask, yes: Self, no: Self) -> Self {
                 mask.0.select(yes, no)
             }
@@ -317,5 +352,36 @@ macro_rules! lanes {
     };
 }
 
-lanes!(f32x4, Mask4, 4);
-lanes!(f32x8, Mask8, 8);
+lanes!(f32x4, Mask4, 4, four_of_rows, four_to_rows);
+lanes!(f32x8, Mask8, 8, eight_of_rows, eight_to_rows);
+
+#[inline(always)]
+fn four_of_rows(mut row: impl FnMut(usize) -> [f32; 4]) -> [Four; 4] {
+    let (a, b, c, d) = (row(0), row(1), row(2), row(3));
+    Four::transpose([Four::new(a), Four::new(b), Four::new(c), Four::new(d)])
+}
+
+#[inline(always)]
+fn four_to_rows(columns: [Four; 4]) -> [[f32; 4]; MOST_LANES] {
+    let [a, b, c, d] = Four::transpose(columns);
+    let none = [0.0; 4];
+    let (a, b, c, d) = (a.to_array(), b.to_array(), c.to_array(), d.to_array());
+    [a, b, c, d, none, none, none, none]
+}
+
+#[inline(always)]
+fn eight_of_rows(mut row: impl FnMut(usize) -> [f32; 4]) -> [Eight; 4] {
+    let [a, b, c, d] = four_of_rows(&mut row);
+    let [e, f, g, h] = four_of_rows(|lane| row(lane + 4));
+    let both = |low: Four, high: Four| bytemuck::cast([low, high]);
+    [both(a, e), both(b, f), both(c, g), both(d, h)]
+}
+
+#[inline(always)]
+fn eight_to_rows([x, y, z, w]: [Eight; 4]) -> [[f32; 4]; MOST_LANES] {
+    let halves = |eight: Eight| bytemuck::cast::<Eight, [Four; 2]>(eight);
+    let ([x0, x1], [y0, y1], [z0, z1], [w0, w1]) = (halves(x), halves(y), halves(z), halves(w));
+    let [a, b, c, d, ..] = four_to_rows([x0, y0, z0, w0]);
+    let [e, f, g, h, ..] = four_to_rows([x1, y1, z1, w1]);
+    [a, b, c, d, e, f, g, h]
+}

@@ -3,44 +3,26 @@
 use super::Real;
 
 // ANCHOR: gather
-/// The rows of `table` that `rows` names, a row a lane: column k of the table becomes number k of the result.
-#[inline]
-pub fn gather<R: Real, const N: usize>(table: &[[f32; N]], rows: &[u32]) -> [R; N] {
-    let mut columns = [[0.0; 8]; N];
-    for lane in 0..R::LANES {
-        let row = &table[rows[lane] as usize];
-        for column in 0..N {
-            columns[column][lane] = row[column];
-        }
-    }
-    std::array::from_fn(|column| R::of(|lane| columns[column][lane]))
+/// The rows of `table` that `rows` names, a row a lane: number k of each row becomes number k of the result.
+#[inline(always)]
+#[must_use]
+pub fn gather<R: Real>(table: &[[f32; 4]], rows: &[u32]) -> [R; 4] {
+    R::of_rows(|lane| table[rows[lane] as usize])
 }
 // ANCHOR_END: gather
 
-/// Puts lanes back where [`gather`] had them from, for the first `count` lanes.
-#[inline]
-pub fn scatter<R: Real, const N: usize>(
-    columns: [R; N],
-    table: &mut [[f32; N]],
-    rows: &[u32],
-    count: usize,
-) {
-    let lanes = transpose(columns);
-    for (row, lane) in rows.iter().zip(lanes).take(count) {
-        table[*row as usize] = lane;
-    }
+/// Rows that lie together, a row a lane; lanes behind the last row have the last row.
+#[inline(always)]
+#[must_use]
+pub fn load<R: Real>(table: &[[f32; 4]]) -> [R; 4] {
+    let last = table.len() - 1;
+    R::of_rows(|lane| table[lane.min(last)])
 }
 
-/// A row a lane, of which those behind [`Real::LANES`] are nothing.
-#[inline]
-pub fn transpose<R: Real, const N: usize>(columns: [R; N]) -> [[f32; N]; 8] {
-    std::array::from_fn(|lane| {
-        std::array::from_fn(|column| {
-            if lane < R::LANES {
-                columns[column].lane(lane)
-            } else {
-                0.0
-            }
-        })
-    })
+/// Puts lanes back where [`load`] had them from.
+#[inline(always)]
+pub fn store<R: Real>(columns: [R; 4], table: &mut [[f32; 4]]) {
+    for (row, lane) in table.iter_mut().zip(R::to_rows(columns)) {
+        *row = lane;
+    }
 }

@@ -9,7 +9,7 @@ const HALF_PI: f32 = std::f32::consts::FRAC_PI_2;
 /// Sine and cosine of x, rad, up to some thousand. [Cephes: sinf, cosf]
 ///
 /// Errors: below 1e-7 where |x| < 100.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn sine_cosine<R: Real>(x: R) -> (R, R) {
     // x less whole quarter turns: ½π in three parts, so that nothing is lost.
@@ -31,7 +31,7 @@ pub fn sine_cosine<R: Real>(x: R) -> (R, R) {
 }
 
 /// Sine and cosine within ±¼π.
-#[inline]
+#[inline(always)]
 fn sine_cosine_near<R: Real>(r: R) -> (R, R) {
     let r2 = r * r;
     let s = ((r2 * R::splat(-1.951_529_6e-4) + R::splat(8.332_161e-3)) * r2
@@ -50,7 +50,7 @@ fn sine_cosine_near<R: Real>(r: R) -> (R, R) {
 // ANCHOR_END: sine
 
 /// The arc tangent of t, which is 0 to 1, rad. [Cephes: atanf]
-#[inline]
+#[inline(always)]
 fn arc_tangent<R: Real>(t: R) -> R {
     let one = R::splat(1.0);
     let is_far = t.gt(R::splat(0.414_213_57));
@@ -60,7 +60,7 @@ fn arc_tangent<R: Real>(t: R) -> R {
     let p = ((z * R::splat(8.053_744e-2) - R::splat(1.387_768_6e-1)) * z
         + R::splat(1.997_771_1e-1))
         * z
-        - R::splat(3.333_294_9e-1);
+        - R::splat(3.333_295e-1);
     start + (p * z * x + x)
 }
 
@@ -68,7 +68,7 @@ fn arc_tangent<R: Real>(t: R) -> R {
 /// The angle of the point (x, y), rad; 0 for the origin.
 ///
 /// Errors: below 3e-7.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn arc_tangent_of<R: Real>(y: R, x: R) -> R {
     let zero = R::splat(0.0);

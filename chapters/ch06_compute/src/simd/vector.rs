@@ -17,34 +17,34 @@ pub struct Vec3<R> {
 
 impl<R: Real> Vec3<R> {
     /// Of three numbers.
-    #[inline]
+    #[inline(always)]
     pub fn new(x: R, y: R, z: R) -> Self {
         Self { x, y, z }
     }
 
     /// The same number thrice.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn splat(number: R) -> Self {
         Self::new(number, number, number)
     }
 
     /// Nothing.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn zero() -> Self {
         Self::splat(R::splat(0.0))
     }
 
     /// The same vector in each lane.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn all(vector: glam::Vec3) -> Self {
         Self::new(R::splat(vector.x), R::splat(vector.y), R::splat(vector.z))
     }
 
     /// What `vector` gives for each lane.
-    #[inline]
+    #[inline(always)]
     pub fn of(mut vector: impl FnMut(usize) -> glam::Vec3) -> Self {
         Self::new(
             R::of(|lane| vector(lane).x),
@@ -54,20 +54,20 @@ impl<R: Real> Vec3<R> {
     }
 
     /// The vector in a lane.
-    #[inline]
+    #[inline(always)]
     pub fn lane(self, lane: usize) -> glam::Vec3 {
         glam::Vec3::new(self.x.lane(lane), self.y.lane(lane), self.z.lane(lane))
     }
 
     /// u·v.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn dot(self, other: Self) -> R {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
     /// u × v.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn cross(self, other: Self) -> Self {
         Self::new(
@@ -78,21 +78,28 @@ impl<R: Real> Vec3<R> {
     }
 
     /// |v|².
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn length_squared(self) -> R {
         self.dot(self)
     }
 
     /// |v|.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn length(self) -> R {
         self.length_squared().sqrt()
     }
 
+    /// 1/x of each.
+    #[inline(always)]
+    #[must_use]
+    pub fn recip(self) -> Self {
+        Self::new(self.x.recip(), self.y.recip(), self.z.recip())
+    }
+
     /// One where yes, the other where no.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
         Self::new(
@@ -106,7 +113,7 @@ impl<R: Real> Vec3<R> {
 impl<R: Real> Add for Vec3<R> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
     }
@@ -115,7 +122,7 @@ impl<R: Real> Add for Vec3<R> {
 impl<R: Real> Sub for Vec3<R> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
     }
@@ -124,7 +131,7 @@ impl<R: Real> Sub for Vec3<R> {
 impl<R: Real> Neg for Vec3<R> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y, -self.z)
     }
@@ -133,7 +140,7 @@ impl<R: Real> Neg for Vec3<R> {
 impl<R: Real> Mul<R> for Vec3<R> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, number: R) -> Self {
         Self::new(self.x * number, self.y * number, self.z * number)
     }
@@ -143,28 +150,28 @@ impl<R: Real> Mul<R> for Vec3<R> {
 impl<R: Real> Mul for Vec3<R> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Self::new(self.x * other.x, self.y * other.y, self.z * other.z)
     }
 }
 
 impl<R: Real> AddAssign for Vec3<R> {
-    #[inline]
+    #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
 impl<R: Real> SubAssign for Vec3<R> {
-    #[inline]
+    #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
 impl From<glam::Vec3> for Vec3<f32> {
-    #[inline]
+    #[inline(always)]
     fn from(v: glam::Vec3) -> Self {
         Self::new(v.x, v.y, v.z)
     }

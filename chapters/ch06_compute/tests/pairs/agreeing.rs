@@ -28,7 +28,7 @@ fn on_the_cpu(scene: &Scene, seed: u64, steps: u32) -> State {
             body.position[axis] += if seed == 0 { 0.0 } else { way * unit };
         }
     }
-    let mut lanes = Lanes::of(&moved, rules(&moved)).expect("it is supported");
+    let mut lanes = <Lanes>::of(&moved, rules(&moved)).expect("it is supported");
     for _ in 0..steps {
         lanes.step(DT, |_| ());
     }

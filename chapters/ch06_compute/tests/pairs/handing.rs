@@ -18,7 +18,7 @@ fn a_state_that_is_taken_over_is_the_state_that_goes_on() {
     assert!(largest_gap(&half, &elsewhere) > 0.01);
     other.write(&half).expect("the device is there");
     assert_eq!(read(&mut other).position, half.position);
-    let mut lanes = Lanes::of(&scene, rules(&scene)).expect("it is supported");
+    let mut lanes = <Lanes>::of(&scene, rules(&scene)).expect("it is supported");
     lanes.write_state(&half);
     for _ in 0..3 {
         lanes.step(DT, |_| ());
@@ -33,7 +33,7 @@ fn a_state_that_is_taken_over_is_the_state_that_goes_on() {
 fn the_mouse_pulls_as_it_does_on_the_cpu() {
     let (gpu, scene) = (gpu(), built_in("slide", None));
     let mut pairs = pairs(&gpu, &scene);
-    let mut lanes = Lanes::of(&scene, rules(&scene)).expect("it is supported");
+    let mut lanes = <Lanes>::of(&scene, rules(&scene)).expect("it is supported");
     let (body, anchor, towards) = (4, Vec3::new(0.1, 0.1, 0.0), Vec3::new(0.0, 2.0, 0.0));
     let mass = scene.bodies[body].mass as f32;
     lanes.forces.mouse = Some(Spring {

@@ -16,7 +16,7 @@ fn side(attitude: Quat, spin: Vec3, is_static: bool) -> Side {
         inverse_mass: answer,
         shared_mass: answer,
         shared_inertia: Mat3::from_diagonal(Vec3::splat(answer)),
-        before: crate::own_row::contact::Before::default(),
+        before: crate::rows::Seen::default(),
     }
 }
 

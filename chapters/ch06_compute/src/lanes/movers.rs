@@ -1,0 +1,240 @@
+//! Passes over the bodies, in blocks of as many as a number has lanes.
+
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+use rayon::slice::{ParallelSlice, ParallelSliceMut};
+
+use super::joints::Joints;
+use crate::bodies::Bodies;
+use crate::own_row::body::{Gathered, Holding, Moving, Pull, Pulling, holding};
+use crate::rows::{Held, Motion, Place, Push, Seen, Solid, Spin, Step};
+use crate::simd::{Quat, Real, Vec3, load, store};
+
+/// The columns that a pass over the bodies reads and writes.
+pub struct Movers<'b> {
+    bodies: &'b mut Bodies,
+    least: usize,
+}
+
+/// Some bodies that lie together, a body a lane.
+pub struct Block<'b> {
+    first: usize,
+    place: &'b mut [Place],
+    attitude: &'b mut [glam::Quat],
+    motion: &'b mut [Motion],
+    spin: &'b mut [Spin],
+    momentum: &'b mut [glam::Vec3],
+    held: &'b mut [Held],
+    push: &'b mut [Push],
+    before: &'b mut [Seen],
+    solid: &'b [Solid],
+}
+
+impl<'b> Movers<'b> {
+    /// All bodies; at least so many blocks go together.
+    pub fn of(bodies: &'b mut Bodies, least: usize) -> Self {
+        Self { bodies, least }
+    }
+
+    /// Does something with every block, on as many threads as there are.
+    pub fn each<R: Real>(&mut self, work: impl Fn(&mut Block<'_>) + Sync) {
+        let bodies = &mut *self.bodies;
+        let columns = (
+            bodies.place.par_chunks_mut(R::LANES),
+            bodies.attitude.par_chunks_mut(R::LANES),
+            bodies.motion.par_chunks_mut(R::LANES),
+            bodies.spin.par_chunks_mut(R::LANES),
+            bodies.momentum.par_chunks_mut(R::LANES),
+            bodies.held.par_chunks_mut(R::LANES),
+            bodies.push.par_chunks_mut(R::LANES),
+            bodies.before.par_chunks_mut(R::LANES),
+            bodies.solid.par_chunks(R::LANES),
+        );
+        let blocks = columns.into_par_iter().enumerate().with_min_len(self.least);
+        blocks.for_each(|(block, columns)| {
+            let (place, attitude, motion, spin, momentum, held, push, before, solid) = columns;
+            work(&mut Block {
+                first: block * R::LANES,
+                place,
+                attitude,
+                motion,
+                spin,
+                momentum,
+                held,
+                push,
+                before,
+                solid,
+            });
+        });
+    }
+}
+
+impl Block<'_> {
+    /// Starts a substep: what pulls and holds each body.
+    pub fn kick<R: Real>(&mut self, pulls: &[Pull], joints: &Joints, step: &Step) {
+        let mut moving = self.load::<R>();
+        self.note_before(&moving);
+        let (first, last) = (self.first, self.place.len() - 1);
+        let held = holding(|lane| {
+            let lane = lane.min(last);
+            joints.with(first + lane, self.held[lane])
+        });
+        let pull = |lane: usize| {
+            pulls
+                .get(first + lane.min(last))
+                .copied()
+                .unwrap_or_default()
+        };
+        let pulling = if pulls.is_empty() {
+            Pulling::default()
+        } else {
+            Pulling {
+                acceleration: Vec3::of(|lane| pull(lane).acceleration),
+                torque: Vec3::of(|lane| pull(lane).torque),
+            }
+        };
+        moving.kick(&held, &pulling, step);
+        self.store(&moving);
+    }
+
+    // ANCHOR: substep
+    /// All that bodies do in a substep which no joints hold and nothing but gravity pulls: they exchange what
+    /// holds them, move, and are kicked into the next one.
+    pub fn substep<R: Real>(&mut self, gathered: &[Gathered], kicks: bool, step: &Step) {
+        let sums = &gathered[self.first..self.first + self.place.len()];
+        let mut moving = self.load::<R>();
+        let push = self.exchange_with(&mut moving, sums);
+        let alone = R::of(|lane| sums[lane.min(sums.len() - 1)].touches);
+        moving.advance(push, alone.same(R::splat(0.0)), step);
+        self.share(sums);
+        if kicks {
+            self.note_before(&moving);
+            let held = holding(|lane| sums[lane.min(sums.len() - 1)].stays);
+            moving.kick(&held, &Pulling::default(), step);
+        }
+        self.store(&moving);
+    }
+    // ANCHOR_END: substep
+
+    /// Puts what holds each body now in the place of what it started the substep with, and says how it is
+    /// pushed.
+    pub fn exchange<R: Real>(&mut self, gathered: &[Gathered]) {
+        let sums = &gathered[self.first..self.first + self.place.len()];
+        let mut moving = self.load::<R>();
+        self.exchange_with(&mut moving, sums);
+        self.store(&moving);
+    }
+
+    /// Each body takes up what its pairs gave it, without giving back.
+    pub fn take_up<R: Real>(&mut self, gathered: &[Gathered]) {
+        let sums = &gathered[self.first..self.first + self.place.len()];
+        let mut moving = self.load::<R>();
+        let new = holding(|lane| sums[lane.min(sums.len() - 1)].held);
+        moving.exchange(&Holding::default(), &new);
+        self.store(&moving);
+    }
+
+    /// Each body moves.
+    pub fn advance<R: Real>(&mut self, gathered: &[Gathered], joints: &Joints, step: &Step) {
+        let mut moving = self.load::<R>();
+        let last = self.place.len() - 1;
+        let first = self.first;
+        let alone = |lane: usize| joints.floats(first + lane.min(last), gathered);
+        let alone = R::of(|lane| f32::from(u8::from(alone(lane))));
+        let table: &[[[f32; 4]; 2]] = bytemuck::cast_slice(self.push);
+        let [x, y, z, _] = R::of_rows(|lane| table[lane.min(last)][0]);
+        let [i, j, k, _] = R::of_rows(|lane| table[lane.min(last)][1]);
+        let push = [Vec3::new(x, y, z), Vec3::new(i, j, k)];
+        moving.advance(push, alone.gt(R::splat(0.5)), step);
+        self.store(&moving);
+        self.share(&gathered[first..=first + last]);
+    }
+
+    /// Exchanges what holds the bodies; gives the velocities of their pushes.
+    fn exchange_with<R: Real>(
+        &mut self,
+        moving: &mut Moving<R>,
+        sums: &[Gathered],
+    ) -> [Vec3<R>; 2] {
+        let last = sums.len() - 1;
+        let old: Holding<R> = holding(|lane| self.held[lane.min(last)]);
+        let new = holding(|lane| sums[lane.min(last)].held);
+        moving.exchange(&old, &new);
+        let pushed = holding(|lane| sums[lane.min(last)].pushed);
+        let [v, w] = moving.push_of(&pushed);
+        let zero = R::splat(0.0);
+        let linear = R::to_rows([v.x, v.y, v.z, zero]);
+        let angular = R::to_rows([w.x, w.y, w.z, zero]);
+        for (lane, push) in self.push.iter_mut().enumerate() {
+            *push = bytemuck::cast([linear[lane], angular[lane]]);
+            self.held[lane] = sums[lane].stays;
+        }
+        [v, w]
+    }
+
+    /// Notes among how many pairs each body's mass is shared.
+    fn share(&mut self, sums: &[Gathered]) {
+        for (motion, sum) in self.motion.iter_mut().zip(sums) {
+            motion.shares = sum.counts.max(1.0);
+        }
+    }
+
+    /// Notes how bodies moved before a kick.
+    fn note_before<R: Real>(&mut self, moving: &Moving<R>) {
+        let (v, w, zero) = (moving.velocity, moving.angular_velocity, R::splat(0.0));
+        let linear = R::to_rows([v.x, v.y, v.z, zero]);
+        let angular = R::to_rows([w.x, w.y, w.z, zero]);
+        for (lane, before) in self.before.iter_mut().enumerate() {
+            *before = bytemuck::cast([linear[lane], angular[lane]]);
+        }
+    }
+
+    /// The rows as lanes.
+    fn load<R: Real>(&self) -> Moving<R> {
+        let last = self.place.len() - 1;
+        let [x, y, z, _] = load::<R>(bytemuck::cast_slice(self.place));
+        let [i, j, k, w] = load::<R>(bytemuck::cast_slice(self.attitude));
+        let [vx, vy, vz, _] = load::<R>(bytemuck::cast_slice(self.motion));
+        let [wx, wy, wz, inverse_mass] = load::<R>(bytemuck::cast_slice(self.spin));
+        Moving {
+            position: Vec3::new(x, y, z),
+            attitude: Quat {
+                v: Vec3::new(i, j, k),
+                w,
+            },
+            velocity: Vec3::new(vx, vy, vz),
+            angular_velocity: Vec3::new(wx, wy, wz),
+            momentum: Vec3::of(|lane| self.momentum[lane.min(last)]),
+            inverse_mass,
+            inverse_inertia: Vec3::of(|lane| self.solid[lane.min(last)].inverse_inertia),
+        }
+    }
+
+    /// Lanes as rows again.
+    fn store<R: Real>(&mut self, moving: &Moving<R>) {
+        let Moving {
+            position: p,
+            attitude: q,
+            velocity: v,
+            angular_velocity: w,
+            ..
+        } = *moving;
+        let reach = R::of(|lane| self.place.get(lane).map_or(0.0, |place| place.reach));
+        let shares = R::of(|lane| self.motion.get(lane).map_or(0.0, |motion| motion.shares));
+        store([p.x, p.y, p.z, reach], bytemuck::cast_slice_mut(self.place));
+        store(
+            [q.v.x, q.v.y, q.v.z, q.w],
+            bytemuck::cast_slice_mut(self.attitude),
+        );
+        store(
+            [v.x, v.y, v.z, shares],
+            bytemuck::cast_slice_mut(self.motion),
+        );
+        store(
+            [w.x, w.y, w.z, moving.inverse_mass],
+            bytemuck::cast_slice_mut(self.spin),
+        );
+        for (lane, momentum) in self.momentum.iter_mut().enumerate() {
+            *momentum = moving.momentum.lane(lane);
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! What is done with a batch of pairs.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::batches::{Batch, Work};
+use crate::bodies::Bodies;
+use crate::own_row::contact::{Before, bounces, press_again, restore_pair, solve_pair};
+use crate::own_row::side::Side;
+use crate::rows::{Press, Step};
+use crate::simd::{Real, Vec3};
+
+/// What held the bodies in the last step, where their points are now.
+pub struct PressAgain<'s> {
+    /// The bodies.
+    pub bodies: &'s Bodies,
+    /// Length of a substep, s.
+    pub h: f32,
+}
+
+impl<R: Real> Work<R> for PressAgain<'_> {
+    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+        let sides = sides(self.bodies, batch);
+        press_again(&batch.contact, &batch.impulse, sides, self.h).write(rows);
+    }
+}
+
+/// A substep of the pairs.
+pub struct Solve<'s> {
+    /// The bodies.
+    pub bodies: &'s Bodies,
+    /// The numbers of the step.
+    pub step: &'s Step,
+}
+
+impl<R: Real> Work<R> for Solve<'_> {
+    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+        let sides = sides(self.bodies, batch);
+        let bodies = batch.rows;
+        let given = solve_pair(
+            &batch.contact,
+            &batch.surface,
+            &mut batch.impulse,
+            &mut batch.approach,
+            sides,
+            || bodies.map(|rows| before(self.bodies, &rows)),
+            self.step,
+        );
+        given.write(rows);
+    }
+}
+
+/// Which pairs bounce at the end of the step.
+pub struct Bounces<'s> {
+    step: &'s Step,
+    any: AtomicBool,
+}
+
+impl<'s> Bounces<'s> {
+    /// None so far.
+    #[must_use]
+    pub fn of(step: &'s Step) -> Self {
+        Self {
+            step,
+            any: AtomicBool::new(false),
+        }
+    }
+
+    /// Whether any does.
+    #[must_use]
+    pub fn any(&self) -> bool {
+        self.any.load(Ordering::Relaxed)
+    }
+}
+
+impl<R: Real> Work<R> for Bounces<'_> {
+    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+        let hits = R::ones(bounces(&batch.approach, &batch.surface, self.step));
+        for (lane, row) in rows.iter_mut().enumerate() {
+            row.counts = hits.lane(lane);
+            if row.counts > 0.0 {
+                self.any.store(true, Ordering::Relaxed);
+            }
+        }
+    }
+}
+
+/// Restitution.
+pub struct Restore<'s> {
+    /// The bodies.
+    pub bodies: &'s Bodies,
+    /// The numbers of the step.
+    pub step: &'s Step,
+}
+
+impl<R: Real> Work<R> for Restore<'_> {
+    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+        if rows.iter().all(|row| row.counts == 0.0) {
+            rows.fill(Press::default());
+            return;
+        }
+        let sides = sides(self.bodies, batch);
+        let Batch {
+            contact, surface, ..
+        } = batch;
+        restore_pair(contact, surface, &batch.approach, sides, self.step).write(rows);
+    }
+}
+
+/// The bodies of a batch.
+#[inline]
+fn sides<R: Real, const P: usize>(bodies: &Bodies, batch: &Batch<R, P>) -> [Side<R>; 2] {
+    batch.rows.map(|rows| Side::of(bodies, &rows))
+}
+
+/// How bodies moved before the last kick.
+#[inline]
+fn before<R: Real>(bodies: &Bodies, rows: &[u32]) -> Before<R> {
+    let table: &[[[f32; 4]; 2]] = bytemuck::cast_slice(&bodies.before);
+    let [x, y, z, _] = R::of_rows(|lane| table[rows[lane] as usize][0]);
+    let [i, j, k, _] = R::of_rows(|lane| table[rows[lane] as usize][1]);
+    Before {
+        velocity: Vec3::new(x, y, z),
+        angular_velocity: Vec3::new(i, j, k),
+    }
+}

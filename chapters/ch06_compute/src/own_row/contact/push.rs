@@ -1,0 +1,48 @@
+//! Pushing apart what is inside each other.
+
+use super::{Given, Touching, parting, take_normals};
+use crate::own_row::contact::INNER_SWEEPS;
+use crate::own_row::side::Side;
+use crate::rows::Step;
+use crate::simd::{Real, Vec3, array_of};
+
+// ANCHOR: push_out
+/// Pushes bodies that are inside each other apart: a velocity that moves them in this substep and is
+/// then forgotten, so that no speed is left of it.
+#[inline(always)]
+pub(super) fn out<R: Real, const P: usize>(
+    t: &Touching<R, P>,
+    reply: &[R; P],
+    [mut a, mut b]: [Side<R>; 2],
+    step: &Step,
+    given: &mut Given<R>,
+) {
+    for side in [&mut a, &mut b] {
+        side.velocity = Vec3::zero();
+        side.angular_velocity = Vec3::zero();
+    }
+    let (share, sweeps) = if P > 1 {
+        (step.push_share_of_many, INNER_SWEEPS)
+    } else {
+        (step.push_share, 1)
+    };
+    let zero = R::splat(0.0);
+    let mut pushes = [zero; P];
+    for _ in 0..sweeps {
+        let changes = array_of(|k| {
+            let depth = -t.distance[k] - R::splat(step.slop);
+            let speed = (depth * R::splat(share / step.h)).min(R::splat(step.fastest_push));
+            let lacks = speed - parting(t, k, &a, &b);
+            let wanted = (pushes[k] + lacks / reply[k]).max(zero);
+            R::select(depth.gt(zero), wanted, zero) - pushes[k]
+        });
+        for k in 0..P {
+            pushes[k] += changes[k];
+        }
+        let [linear, turning_a, turning_b] = take_normals(t, &changes, &mut a, &mut b);
+        given.push += linear;
+        given.push_a += turning_a;
+        given.push_b += turning_b;
+    }
+}
+// ANCHOR_END: push_out
