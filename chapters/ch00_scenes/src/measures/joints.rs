@@ -9,11 +9,12 @@ use crate::{Joint, Scene, State};
 /// Joints of bodies that are not finite are passed over.
 #[must_use]
 pub fn joint_separation(scene: &Scene, state: &State) -> Option<f64> {
-    scene
-        .joints
-        .iter()
-        .map(|joint| separation(joint, state))
-        .reduce(f64::max)
+    joint_separations(scene, state).reduce(f64::max)
+}
+
+/// The error of every joint, m, in the scene's order; no number where a body is not finite.
+pub fn joint_separations(scene: &Scene, state: &State) -> impl Iterator<Item = f64> {
+    scene.joints.iter().map(|joint| separation(joint, state))
 }
 
 fn separation(joint: &Joint, state: &State) -> f64 {

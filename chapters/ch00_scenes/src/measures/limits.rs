@@ -25,7 +25,18 @@ use crate::{EulerLimits, Joint, Scene, State};
 /// An angle that is outside [low, high] is beyond by the shorter way round to either end.
 #[must_use]
 pub fn limit_excess(scene: &Scene, state: &State) -> Option<f64> {
-    worst(scene.joints.iter().filter_map(|joint| match joint {
+    worst(limit_excesses(scene, state))
+}
+
+/// The largest angle by which each joint that has limits is beyond any of them, rad, in the scene's
+/// order; 0 if it keeps them. What is no number counts as 0.
+pub fn limit_excesses(scene: &Scene, state: &State) -> impl Iterator<Item = f64> {
+    let excess = |joint| excess_of(scene, state, joint);
+    scene.joints.iter().filter_map(excess)
+}
+
+fn excess_of(scene: &Scene, state: &State, joint: &Joint) -> Option<f64> {
+    match joint {
         Joint::Ball {
             cone,
             twist,
@@ -47,7 +58,7 @@ pub fn limit_excess(scene: &Scene, state: &State) -> Option<f64> {
             range.map(|range| beyond(angle_about(turn, *axis_a), range))
         }
         Joint::Distance { .. } => None,
-    }))
+    }
 }
 
 /// The largest angle between the two axes of any hinge, rad. `None` in a scene without

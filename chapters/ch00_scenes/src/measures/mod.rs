@@ -22,9 +22,9 @@ pub use conserved::{Conserved, Reference, kinetic_energy_of, magnet_energy};
 #[cfg(feature = "parry")]
 pub use convex::convex_depth;
 pub use depth::{Placed, depth};
-pub use joints::joint_separation;
-pub use limits::{hinge_misalignment, limit_excess};
-pub use penetration::{Penetration, RelativePenetration};
+pub use joints::{joint_separation, joint_separations};
+pub use limits::{hinge_misalignment, limit_excess, limit_excesses};
+pub use penetration::{Penetration, RelativePenetration, percentile};
 
 /// Everything that is measured of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -113,7 +113,8 @@ impl RelativePenetration {
 
 /// The smallest of the sorted values that at least so many in a hundred don't exceed (nearest rank); 0
 /// of none.
-fn percentile(sorted: &[f64], in_a_hundred: usize) -> f64 {
+#[must_use]
+pub fn percentile(sorted: &[f64], in_a_hundred: usize) -> f64 {
     let rank = (sorted.len() * in_a_hundred).div_ceil(100);
     rank.checked_sub(1).map_or(0.0, |last| sorted[last])
 }
