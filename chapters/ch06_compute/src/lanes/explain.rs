@@ -20,14 +20,8 @@ pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
         scene.joints.len(),
         lanes.rules.substeps
     );
-    if let Some(grid) = lanes.broad.grid() {
-        let [x, y, z] = grid.slots;
-        let _ = writeln!(
-            text,
-            "grid: cells of {:.3} m in {x} × {y} × {z} slots; {} bodies on the short list of large ones",
-            grid.edge,
-            lanes.broad.large().len()
-        );
+    for (edge, bodies) in lanes.broad.grids() {
+        let _ = writeln!(text, "grid: cells of {edge:.3} m for {bodies} bodies");
     }
     let body = size_of::<Place>()
         + size_of::<glam::Quat>()
