@@ -252,6 +252,18 @@ impl Session {
         self.step_time
     }
 
+    /// What a step costs: its wall time, or that on a device which makes it meanwhile, as far as it has
+    /// said how long it took.
+    #[must_use]
+    pub fn cost(&self) -> Duration {
+        if !self.is_late() {
+            return self.step_time;
+        }
+        let passes = self.engine.pass_times();
+        let on_device = passes.iter().map(|pass| pass.time).sum();
+        self.step_time.max(on_device)
+    }
+
     /// A number that changes whenever the engine's rows may have: what was worked out from them
     /// under the same number still holds.
     #[must_use]

@@ -147,7 +147,8 @@ impl Stage {
     /// A frame that begins `elapsed` seconds after the last one.
     pub fn advance(&mut self, elapsed: f64) {
         if !self.is_paused {
-            let frame = self.clock.frame(elapsed, self.session.dt());
+            let cost = self.session.cost().as_secs_f64();
+            let frame = self.clock.frame(elapsed, self.session.dt(), cost);
             for _ in 0..frame.steps {
                 self.session.step_by(frame.dt);
             }
