@@ -202,6 +202,11 @@ pub trait Engine {
         Some(0)
     }
 
+    /// Whether somebody has asked for cells that only the next [`Self::glance`] can bring.
+    fn lacks_cells(&self) -> bool {
+        false
+    }
+
     /// What a renderer can draw the bodies from without asking for their state, where they are kept
     /// on a device; whoever draws knows its type (`ch00_shell::Resident`).
     fn resident(&self) -> Option<&dyn Any> {

@@ -5,7 +5,7 @@
 pub enum Layer {
     /// Bounding boxes of the broad phase.
     Aabbs,
-    /// Cells of the broad phase's tree.
+    /// Cells of the broad phase: those of its tree, or of its grid.
     Cells,
     /// Contacts with their normals and impulses.
     Contacts,
@@ -33,7 +33,7 @@ impl Layer {
     pub fn name(self) -> &'static str {
         match self {
             Layer::Aabbs => "bounding boxes",
-            Layer::Cells => "KD-tree cells",
+            Layer::Cells => "cells of the broad phase",
             Layer::Contacts => "contacts, normals, impulses",
             Layer::Frames => "frames",
             Layer::JointFrames => "joint frames",

@@ -195,6 +195,12 @@ pub enum TableError {
         /// What there is, separated by commas.
         known: String,
     },
+    /// The table's rows are on a device, and those that were asked for haven't come.
+    #[error("the rows of table `{table}` are on their way from the device")]
+    OnTheWay {
+        /// Name of the table.
+        table: String,
+    },
     /// The plan of this scene left the column out.
     #[error("column `{table}.{column}` was left out of this scene's plan: {why}")]
     LeftOut {

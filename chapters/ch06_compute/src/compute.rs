@@ -9,7 +9,9 @@ mod engine;
 pub mod error;
 mod explain;
 mod late;
+mod layers;
 pub mod pairs;
+mod tables;
 
 pub use balls::Balls;
 pub use driver::Driver;

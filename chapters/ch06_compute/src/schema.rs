@@ -33,6 +33,16 @@ impl<'a> RowColumn<'a> {
         }
     }
 
+    /// Rows that came as bytes.
+    #[must_use]
+    pub fn of_bytes(fields: &'static [FieldSpec], stride: usize, bytes: &'a [u8]) -> Self {
+        Self {
+            fields,
+            stride,
+            bytes,
+        }
+    }
+
     fn cells(&self, field: &FieldSpec, rows: &[usize]) -> ColumnData {
         let rows = rows
             .iter()
@@ -61,7 +71,7 @@ fn number<T: bytemuck::Pod>(bytes: &[u8], at: usize) -> T {
 /// What a cell of a field is; None for what isn't shown: fillers, and lists of points.
 fn kind_of(field: &FieldSpec) -> Option<Kind> {
     match field.wgsl {
-        _ if field.symbol.is_empty() => None,
+        _ if field.about.starts_with("Unused") => None,
         "f32" => Some(Kind::Scalar),
         "u32" => Some(Kind::Index),
         "vec3f" => Some(Kind::Vector),

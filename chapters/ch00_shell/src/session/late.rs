@@ -44,7 +44,9 @@ impl Session {
         // The first glance may find what was asked for, the second then asks for the next.
         for _ in 0..2 {
             let behind = self.steps - self.seen.step;
-            let is_due = behind >= self.history.every() || (stands_still && behind > 0);
+            let is_due = behind >= self.history.every()
+                || (stands_still && behind > 0)
+                || self.engine.lacks_cells();
             if !is_due && !self.has_asked {
                 return;
             }

@@ -48,6 +48,8 @@ pub struct Balls {
     pulls: bool,
     /// How many rows were not finite, the first of them, and how many were fast, as it last came down.
     seen: [u32; 3],
+    /// How often room was made for more neighbours.
+    grown: u32,
 }
 
 impl Balls {
@@ -124,6 +126,7 @@ impl Balls {
             draws: false,
             pulls: false,
             seen: [0, u32::MAX, 0],
+            grown: 0,
         };
         let bodies = balls.bodies.clone();
         balls.upload(&bodies, &moving)?;
@@ -240,6 +243,7 @@ impl Balls {
 
     /// Makes room for so many neighbours a ball, and some more.
     fn make_room(&mut self, needed: u32) -> Result<(), StreamError> {
+        self.grown += 1;
         let room = needed.next_multiple_of(8);
         let rows = self.grid.capacity as usize * room as usize;
         for side in ["a", "b"] {
@@ -378,6 +382,18 @@ impl Balls {
     #[must_use]
     pub fn kernels(&self) -> &BallKernels {
         &self.kernels
+    }
+
+    /// How often room was made for more neighbours.
+    #[must_use]
+    pub fn grown(&self) -> u32 {
+        self.grown
+    }
+
+    /// How many rows moved farther in a step than the grid looks, in all steps, as it last came down.
+    #[must_use]
+    pub fn fast(&self) -> u32 {
+        self.seen[2]
     }
 
     /// For how many neighbours a ball has room.

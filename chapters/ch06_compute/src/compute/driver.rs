@@ -120,6 +120,15 @@ impl Driver {
         either!(self, one => one.explain())
     }
 
+    /// Edge of the grid's cells, and the farthest that a body in them reaches, m.
+    #[must_use]
+    pub fn cells(&self) -> (f32, f32) {
+        match self {
+            Self::Balls(balls) => (balls.grid().1, f32::INFINITY),
+            Self::Pairs(pairs) => (pairs.grid().1, pairs.plan().largest_in_grid),
+        }
+    }
+
     /// The device and its columns.
     #[must_use]
     pub fn columns(&self) -> &Columns {

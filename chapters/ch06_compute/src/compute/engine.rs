@@ -3,14 +3,16 @@
 use std::cell::{Cell, RefCell};
 
 use ch00_scenes::{
-    Added, Body, Column, ColumnData, Counters, Engine, EngineEntry, EngineInfo, LoadError,
-    PassTime, Pull, RemoveError, Scene, Settings, State,
+    Added, BODIES, Body, Column, ColumnData, ColumnInfo, Counters, Drawing, Engine, EngineEntry,
+    EngineInfo, Layer, LoadError, PassTime, Pull, RemoveError, Scene, Settings, State, TableError,
+    TableInfo,
 };
 
 use super::device::{Device, open};
 use super::driver::Driver;
 use super::error::ComputeError;
 use super::late::Late;
+use super::layers;
 use crate::lanes::unsupported;
 use crate::rows::Mouse;
 use crate::rules::{METHOD, Rules};
@@ -85,7 +87,7 @@ impl ComputeEngine {
         Ok(Self {
             #[cfg(feature = "window")]
             resident: Some(device.resident(driver.columns())?),
-            late: Late::default(),
+            late: Late::of(&driver, 0),
             timer: Timer::new(&device.gpu, MOST_TIMED),
             driver: RefCell::new(driver),
             state: RefCell::new(State::start_of(scene)),
@@ -141,8 +143,8 @@ impl ComputeEngine {
     fn reload(&mut self, state: &State) -> Result<(), LoadError> {
         let mut anew = Self::load_on(self.device.clone(), &self.scene, self.rules)
             .map_err(|error| lacks(&self.scene, &error))?;
-        anew.write_state(state, self.scene.dt as f32);
         anew.steps = self.steps;
+        anew.write_state(state, self.scene.dt as f32);
         *self = anew;
         Ok(())
     }
@@ -185,6 +187,7 @@ impl Engine for ComputeEngine {
             let read = self.driver.borrow_mut().read(&mut now);
             if self.note(read).is_some() {
                 *last = now;
+                self.late.known.set(Some(self.steps));
             }
         }
         state.clone_from(&self.state.borrow());
@@ -224,6 +227,7 @@ impl Engine for ComputeEngine {
 
     fn write_state(&mut self, state: &State, _dt: f32) {
         self.late.forget();
+        self.late.known.set(Some(self.steps));
         self.state.get_mut().clone_from(state);
         let written = self.driver.get_mut().write(state);
         self.note(written);
@@ -262,6 +266,43 @@ impl Engine for ComputeEngine {
                 data: vectors(&state.angular_velocity),
             },
         ]
+    }
+
+    fn tables(&self) -> Vec<TableInfo> {
+        let columns = self.columns();
+        let mut all = vec![TableInfo {
+            name: BODIES,
+            about: "Where bodies are and how they move, as it last came down.",
+            rows: self.scene.bodies.len(),
+            columns: columns.iter().map(ColumnInfo::gathered).collect(),
+        }];
+        all.extend(self.late.tables.info(self.driver.borrow().columns()));
+        all
+    }
+
+    fn cells(&self, table: &str, column: &str, rows: &[usize]) -> Result<ColumnData, TableError> {
+        if table != BODIES {
+            let step = self.late.known.get();
+            return self.late.tables.cells(table, column, rows, step);
+        }
+        let columns = self.columns();
+        let found = columns.iter().find(|known| known.name == column);
+        found.map(|found| found.data.of_rows(rows)).ok_or_else(|| {
+            TableError::unknown_column(table, column, columns.iter().map(|column| column.name))
+        })
+    }
+
+    fn lacks_cells(&self) -> bool {
+        !self.has_failed() && self.late.tables.lacks(self.late.known.get())
+    }
+
+    fn layers(&self) -> &'static [Layer] {
+        layers::LAYERS
+    }
+
+    fn layer(&self, layer: Layer) -> Drawing {
+        let (edge, largest) = self.driver.borrow().cells();
+        layers::draw(layer, &self.scene, &self.state.borrow(), edge, largest)
     }
 
     fn counters(&self) -> Counters {

@@ -26,6 +26,20 @@ pub fn explain(balls: &Balls) -> String {
             "body {first} is not finite; it stands aside and the rest goes on ({rows} rows in all steps)"
         );
     }
+    let _ = writeln!(
+        text,
+        "room: {} balls with {} neighbours each; more was made {} time(s)",
+        balls.rows(),
+        balls.room(),
+        balls.grown()
+    );
+    if balls.fast() > 0 {
+        let _ = writeln!(
+            text,
+            "{} row(s) in all steps moved farther than the grid looks",
+            balls.fast()
+        );
+    }
     let columns = balls.columns();
     let bytes = columns.bytes() as usize / balls.rows().max(1);
     let _ = writeln!(

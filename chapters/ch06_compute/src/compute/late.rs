@@ -1,8 +1,11 @@
 //! States that come down late: asked for now, here some frames later, and nobody waits for them.
 
+use std::cell::Cell;
+
 use ch00_scenes::State;
 
 use super::driver::Driver;
+use super::tables::Tables;
 use crate::rows::{Drawn, Seen};
 use crate::stream::{self, Passes, Readback, StreamError};
 
@@ -18,6 +21,10 @@ pub struct Late {
     /// Requests from before are for bodies that have been put elsewhere since.
     oldest: u64,
     asked: u64,
+    /// The columns that somebody looks at.
+    pub tables: Tables,
+    /// The step of the state that is known.
+    pub known: Cell<Option<u32>>,
 }
 
 #[derive(Debug, Default)]
@@ -33,6 +40,18 @@ impl Late {
         self.oldest = self.asked + 1;
         self.is_asked = false;
         self.parts = Parts::default();
+        self.tables.forget();
+        self.known.set(None);
+    }
+
+    /// For the columns of a driver, whose state after so many steps is known.
+    #[must_use]
+    pub fn of(driver: &Driver, step: u32) -> Self {
+        Self {
+            tables: Tables::of(driver.columns()),
+            known: Cell::new(Some(step)),
+            ..Self::default()
+        }
     }
 
     // ANCHOR: glance
@@ -50,7 +69,7 @@ impl Late {
             return Ok(None);
         }
         driver.columns().gpu().poll()?;
-        self.take();
+        let all_tables = self.take();
         let Parts {
             drawn: Some(drawn),
             seen: Some(seen),
@@ -59,11 +78,18 @@ impl Late {
         else {
             return Ok(None);
         };
+        if !all_tables {
+            return Ok(None);
+        }
         let state = state_of(&drawn.rows, &seen.rows);
         let step = (drawn.frame & u64::from(u32::MAX)) as u32;
         let again = driver.take_status(&status.rows)?;
         self.is_asked = false;
         self.parts = Parts::default();
+        if !again {
+            self.tables.keep(step);
+            self.known.set(Some(step));
+        }
         Ok((!again).then_some((step, state)))
     }
     // ANCHOR_END: glance
@@ -82,14 +108,16 @@ impl Late {
             let rows = columns.info(name)?.rows;
             all &= passes.read_back(readback, name, 0..rows, label)?;
         }
+        self.tables.ask(columns, &mut passes, label)?;
         passes.submit()?;
         self.is_asked = all;
         Ok(())
     }
 
-    /// Keeps what has arrived of the last request.
-    fn take(&mut self) {
-        let is_new = |label: u64| label >> 32 >= self.oldest && label >> 32 == self.asked;
+    /// Keeps what has arrived of the last request; whether all columns have.
+    fn take(&mut self) -> bool {
+        let (oldest, asked) = (self.oldest, self.asked);
+        let is_new = |label: u64| label >> 32 >= oldest && label >> 32 == asked;
         if let Some(late) = self
             .drawn
             .latest()
@@ -111,6 +139,7 @@ impl Late {
         {
             self.parts.status = Some(late);
         }
+        self.tables.take(is_new)
     }
 }
 

@@ -46,6 +46,8 @@ pub struct Pairs {
     draws: bool,
     /// What the status said when it came down last.
     status: [u32; PAIR_STATUS_LEN],
+    /// How often room was made.
+    grown: u32,
 }
 
 impl Pairs {
@@ -96,6 +98,7 @@ impl Pairs {
             trees,
             draws: false,
             status: [0; PAIR_STATUS_LEN],
+            grown: 0,
         })
     }
 
@@ -189,6 +192,7 @@ impl Pairs {
 
     /// Makes as much room as was needed, and half as much again.
     fn make_room(&mut self) -> Result<(), StreamError> {
+        self.grown += 1;
         let more = |have: usize, name: &str| {
             let needed = self.says(name) as usize;
             if needed > have {
@@ -284,6 +288,12 @@ impl Pairs {
     #[must_use]
     pub fn room(&self) -> Room {
         self.room
+    }
+
+    /// How often more room was made.
+    #[must_use]
+    pub fn grown(&self) -> u32 {
+        self.grown
     }
 
     /// Cells of the grid along x, y and z, and their edge, m.

@@ -54,6 +54,15 @@ pub fn explain(pairs: &Pairs) -> String {
         room.partners,
         room.pairs
     );
+    let _ = writeln!(
+        text,
+        "needed, as it last came down: {} partners, {} pairs, {} pairs of large bodies of {}; room was made {} time(s)",
+        pairs.says("NEEDED"),
+        pairs.says("PAIRS_NEEDED"),
+        pairs.says("LARGE_NEEDED"),
+        room.large_pairs,
+        pairs.grown()
+    );
     for info in pairs.columns().list() {
         let _ = writeln!(
             text,
