@@ -1,4 +1,5 @@
-// Where each body is and how it moves, as it is drawn and brought down. Needs common/index, rows.
+// Where each body is and how it moves, as it is drawn and brought down. What can't move stays as it was drawn
+// first. Needs common/index, rows.
 
 @group(0) @binding(0) var<uniform> grid: GridOf;
 @group(0) @binding(1) var<storage, read> rigids: array<Rigid>;
@@ -10,6 +11,9 @@
 fn pair_state(@builtin(global_invocation_id) id: vec3u) {
     let row = row_index(id);
     if row >= grid.rows || status[HALTED] != 0u {
+        return;
+    }
+    if rigids[row].inverse_mass == 0.0 && all(rigids[row].inverse_inertia == vec3f(0.0)) {
         return;
     }
     let position = rigids[row].position;

@@ -5,7 +5,11 @@ use ch00_scenes::{Body, Scene, Shape, State};
 use ch05_properties::data::shape_columns;
 use glam::{DQuat, DVec3, Quat, Vec3};
 
+use crate::footing::{Block, founded};
 use crate::rows::{Held, Material, Motion, Place, Push, Seen, Solid, Spin};
+
+/// The kind of a box.
+const BOX: u32 = 1;
 
 /// All rows of all bodies: a column a kind of row, in the order of the scene.
 #[derive(Clone, Debug, Default)]
@@ -30,6 +34,18 @@ pub struct Bodies {
     pub momentum: Vec<Vec3>,
     /// How they moved before the last kick.
     pub before: Vec<Seen>,
+    /// What they are to who looks: of a static box `place` and `solid` hold what [`founded`] makes of it.
+    looks: Vec<Looks>,
+}
+
+/// A body as the scene has it.
+#[derive(Clone, Copy, Debug)]
+struct Looks {
+    /// World position, if it is static.
+    position: Vec3,
+    size: Vec3,
+    /// Whether nothing is fixed to it: then it may be made longer.
+    is_plain: bool,
 }
 
 impl Bodies {
@@ -40,6 +56,12 @@ impl Bodies {
         for body in &scene.bodies {
             bodies.push(body);
         }
+        for joint in &scene.joints {
+            let (a, b) = joint.bodies();
+            bodies.looks[a].is_plain = false;
+            bodies.looks[b].is_plain = false;
+        }
+        bodies.found();
         bodies
     }
 
@@ -49,7 +71,36 @@ impl Bodies {
         self.place.len()
     }
 
-    /// Adds a body.
+    /// Makes static boxes longer where they stand on others.
+    pub fn found(&mut self) {
+        let is_block = |row: &usize| {
+            self.is_static(*row) && self.solid[*row].kind == BOX && self.looks[*row].is_plain
+        };
+        let rows: Vec<usize> = (0..self.rows()).filter(is_block).collect();
+        let block = |&row: &usize| Block {
+            position: self.looks[row].position,
+            attitude: self.attitude[row],
+            half: self.looks[row].size,
+        };
+        let blocks: Vec<Block> = rows.iter().map(block).collect();
+        for (row, block) in rows.into_iter().zip(founded(&blocks)) {
+            self.place[row].position = block.position;
+            self.place[row].reach = block.half.length();
+            self.solid[row].size = block.half;
+        }
+    }
+
+    /// World position of a body as the scene has it, m.
+    #[must_use]
+    pub fn position(&self, row: usize) -> Vec3 {
+        if self.is_static(row) {
+            self.looks[row].position
+        } else {
+            self.place[row].position
+        }
+    }
+
+    /// Adds a body. Who adds a static one calls [`Self::found`].
     pub fn push(&mut self, body: &Body) {
         let id = self.rows() as u32;
         let solid = solid_of(body, id);
@@ -80,6 +131,11 @@ impl Bodies {
         self.held.push(Held::default());
         self.push.push(Push::default());
         self.before.push(Seen::default());
+        self.looks.push(Looks {
+            position: body.position.as_vec3(),
+            size: solid.size,
+            is_plain: true,
+        });
         self.momentum.push(Vec3::ZERO);
         self.read_momentum(id as usize);
     }
@@ -95,6 +151,7 @@ impl Bodies {
         self.held.remove(row);
         self.push.remove(row);
         self.before.remove(row);
+        self.looks.remove(row);
         self.momentum.remove(row);
         for (id, solid) in self.solid.iter_mut().enumerate() {
             solid.id = id as u32;
@@ -106,7 +163,7 @@ impl Bodies {
         state.clear();
         for row in 0..self.rows() {
             state.push(
-                self.place[row].position.as_dvec3(),
+                self.position(row).as_dvec3(),
                 self.attitude[row].as_dquat().normalize(),
                 self.motion[row].velocity.as_dvec3(),
                 self.spin[row].angular_velocity.as_dvec3(),
@@ -123,6 +180,7 @@ impl Bodies {
             self.held[row] = Held::default();
             self.read_momentum(row);
         }
+        self.found();
     }
 
     /// Reads a body's angular momentum from its angular velocity.
@@ -138,6 +196,7 @@ impl Bodies {
 
     fn set_pose(&mut self, row: usize, position: DVec3, orientation: DQuat) {
         self.place[row].position = position.as_vec3();
+        self.looks[row].position = position.as_vec3();
         self.attitude[row] = orientation.as_quat().normalize();
     }
 

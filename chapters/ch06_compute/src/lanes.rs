@@ -94,6 +94,7 @@ impl<R: Real> Lanes<R> {
     /// Adds a body at the end.
     pub fn add_body(&mut self, body: &Body) {
         self.bodies.push(body);
+        self.bodies.found();
         self.gathered.push(Gathered::default());
         self.joints.add_body();
         self.broad.forget();
@@ -102,6 +103,7 @@ impl<R: Real> Lanes<R> {
     /// Removes a body that no joint and no force holds; those after it move up.
     pub fn remove_body(&mut self, row: usize) {
         self.bodies.remove(row);
+        self.bodies.found();
         self.gathered.pop();
         self.pairs.remove_body(row);
         self.broad.remove_body(row);

@@ -3,6 +3,7 @@
 
 pub mod bodies;
 pub mod compute;
+pub mod footing;
 pub mod grid;
 pub mod lanes;
 pub mod own_row;

@@ -218,3 +218,14 @@ fn a_device_lost_in_mid_run_leaves_the_last_state_and_lanes_go_on_from_it() {
     lanes.read_state(&mut next);
     assert!(largest_gap(&next, &after) > 0.0 && next.not_finite() == 0);
 }
+
+#[test]
+fn no_fast_ball_passes_a_thin_wall() {
+    let scene = Scene::open("tunnelling", Some(50), None).expect("a built-in scene");
+    let gpu = gpu();
+    let mut balls = balls(&gpu, &scene);
+    balls.step(DT, 60).expect("it runs");
+    let state = read(&mut balls);
+    let behind = state.position[1..].iter().filter(|p| p.x > 0.0).count();
+    assert_eq!(behind, 0);
+}

@@ -1,7 +1,7 @@
 //! Ragdolls: scenario 24 before they touch anything, and what holds when they have come to rest.
 
 use ch00_scenes::builtin::ragdolls::{BONES, body};
-use ch00_scenes::measures::{Conserved, Measures};
+use ch00_scenes::measures::{Conserved, Measures, escaped};
 use ch00_scenes::{Joint, Scene, State};
 use glam::DVec3;
 
@@ -101,6 +101,16 @@ fn eight_ragdolls_hold_together_and_come_to_rest() {
         at_most(measures.penetration.p99, 0.005, "overlap, m");
         let each = measures.conserved.kinetic_energy / 96.0;
         at_most(each, 1e-2, "J a body");
+    }
+}
+
+#[test]
+fn no_limb_is_left_in_a_wall_or_under_it() {
+    for (count, seed) in [(8, 1), (8, 2), (8, 3), (80, 1), (80, 2), (80, 3)] {
+        let scene = Scene::open("ragdolls", Some(count), Some(seed)).expect("a built-in");
+        let end = super::after(&scene, 10.0);
+        let outside = escaped(&scene, &end);
+        assert_eq!(outside, Some(0), "{count} ragdolls, seed {seed}");
     }
 }
 

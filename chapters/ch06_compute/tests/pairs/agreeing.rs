@@ -175,6 +175,22 @@ fn the_first_steps_differ_by_roundings_only() {
 }
 
 #[test]
+fn no_fast_ball_passes_a_thin_wall() {
+    let state = after(&mut pairs(&gpu(), &built_in("tunnelling", Some(50))), 60);
+    let behind = state.position[1..].iter().filter(|p| p.x > 0.0).count();
+    assert_eq!(behind, 0);
+}
+
+#[test]
+fn a_wall_is_read_back_where_the_scene_has_it() {
+    let scene = built_in("ragdolls", Some(1));
+    let state = after(&mut pairs(&gpu(), &scene), 1);
+    for (row, body) in scene.bodies[..5].iter().enumerate() {
+        assert_eq!(state.position[row], body.position.as_vec3().as_dvec3());
+    }
+}
+
+#[test]
 fn equal_inputs_give_equal_bits() {
     let gpu = gpu();
     for (name, count) in [("ragdoll_field", Some(4)), ("stack", Some(10))] {

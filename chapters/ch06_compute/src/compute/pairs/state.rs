@@ -16,9 +16,14 @@ impl Pairs {
         self.settle()?;
         let rigids: Vec<Rigid> = self.columns.read("rigids")?;
         state.clear();
-        for rigid in &rigids {
+        for (row, rigid) in rigids.iter().enumerate() {
+            let position = if self.bodies.is_static(row) {
+                self.bodies.position(row)
+            } else {
+                rigid.position
+            };
             state.push(
-                rigid.position.as_dvec3(),
+                position.as_dvec3(),
                 rigid.attitude.as_dquat().normalize(),
                 rigid.velocity.as_dvec3(),
                 rigid.angular_velocity.as_dvec3(),
@@ -37,6 +42,8 @@ impl Pairs {
         let mut rigids: Vec<Rigid> = self.columns.read("rigids")?;
         for (row, rigid) in rigids.iter_mut().enumerate() {
             rigid.position = self.bodies.place[row].position;
+            rigid.reach = self.bodies.place[row].reach;
+            rigid.size = self.bodies.solid[row].size;
             rigid.attitude = self.bodies.attitude[row];
             rigid.velocity = self.bodies.motion[row].velocity;
             rigid.angular_velocity = self.bodies.spin[row].angular_velocity;
@@ -68,8 +75,7 @@ impl Pairs {
     fn write_drawn(&mut self) -> Result<(), StreamError> {
         let rows = 0..self.bodies.rows();
         let drawn = |row: usize| {
-            let (position, orientation) =
-                (self.bodies.place[row].position, self.bodies.attitude[row]);
+            let (position, orientation) = (self.bodies.position(row), self.bodies.attitude[row]);
             Drawn {
                 position,
                 orientation,
