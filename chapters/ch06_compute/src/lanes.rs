@@ -61,6 +61,7 @@ impl<R: Real> Lanes<R> {
     /// # Errors
     /// What it doesn't model, and the index of the body.
     pub fn of(scene: &Scene, rules: Rules) -> Result<Self, (String, usize)> {
+        forces::check_fixed_points(scene)?;
         let mut bodies = Bodies::of(scene);
         let forces = Forces::of(scene, &mut bodies)?;
         let mut broad = BroadPhase::default();

@@ -13,6 +13,7 @@ use super::driver::Driver;
 use super::error::ComputeError;
 use super::late::Late;
 use super::layers;
+use crate::lanes::forces::check_fixed_points;
 use crate::lanes::unsupported;
 use crate::rows::Mouse;
 use crate::rules::{METHOD, Rules};
@@ -75,6 +76,7 @@ impl ComputeEngine {
         ENGINE.method(settings)?;
         let rules = Rules::of(scene, settings)?;
         Rules::check_resolution(scene).map_err(|why| unsupported(ENGINE.name, scene, why))?;
+        check_fixed_points(scene).map_err(|why| unsupported(ENGINE.name, scene, why))?;
         let device = open().map_err(|error| lacks(scene, &error.into()))?;
         Self::load_on(device, scene, rules).map_err(|error| lacks(scene, &error))
     }

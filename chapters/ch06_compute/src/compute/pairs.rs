@@ -17,9 +17,9 @@ use plan::{Plan, grid_of};
 
 use super::error::ComputeError;
 use crate::bodies::Bodies;
-use crate::lanes::forces::Forces;
+use crate::lanes::forces::{Forces, check_fixed_points};
 use crate::own_row::tree::Trees;
-use crate::rows::{GridOf, Node, PAIR_STATUS_LEN, PairsOf, status_place};
+use crate::rows::{GridOf, PAIR_STATUS_LEN, PairsOf, status_place};
 use crate::rules::Rules;
 use crate::stream::{Columns, Gpu, Passes, StreamError, Timer};
 
@@ -71,12 +71,12 @@ impl Pairs {
         room: Room,
     ) -> Result<Self, ComputeError> {
         fits(gpu, scene.bodies.len(), room)?;
+        let unsupported = |(what, body)| ComputeError::Unsupported { what, body };
+        check_fixed_points(scene).map_err(unsupported)?;
         let mut bodies = Bodies::of(scene);
-        let forces = Forces::of(scene, &mut bodies)
-            .map_err(|(what, body)| ComputeError::Unsupported { what, body })?;
+        let forces = Forces::of(scene, &mut bodies).map_err(unsupported)?;
         let trees = Trees::of(scene);
         trees.fits()?;
-        check_pivots(&forces, &trees)?;
         let plan = Plan::of(scene, &bodies, &forces, &trees);
         let grid = grid_of(&bodies, &plan, room.partners);
         let pairs_of = plan.pairs_of(room.pairs, room.large_pairs);
@@ -308,18 +308,6 @@ impl Pairs {
     pub fn passes(&self) -> Vec<&'static str> {
         self.kernels.names()
     }
-}
-
-/// Whether no body on a fixed point hangs in a tree too.
-fn check_pivots(forces: &Forces, trees: &Trees) -> Result<(), ComputeError> {
-    let mut rows = trees.nodes.iter().filter_map(Node::row);
-    let both = rows.find(|row| forces.pivots.iter().any(|pivot| pivot.body == *row));
-    both.map_or(Ok(()), |body| {
-        Err(ComputeError::Unsupported {
-            what: "a joint of a body on a fixed point".to_owned(),
-            body,
-        })
-    })
 }
 
 /// The last `missing` of steps that wait.

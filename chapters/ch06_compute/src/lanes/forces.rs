@@ -60,6 +60,28 @@ pub struct Spring {
     pub mass: f32,
 }
 
+/// Whether no body that turns about a fixed point has a joint. Such a body has no mass of its own, by which a
+/// joint could pull it. A pin to a static body holds it as well, and goes with other joints.
+///
+/// # Errors
+/// The first such joint, and its body.
+pub fn check_fixed_points(scene: &Scene) -> Result<(), (String, usize)> {
+    let is_fixed = |row: usize| {
+        let fixes = |force: &Force| matches!(force, Force::FixedPoint { body, .. } if *body == row);
+        scene.forces.iter().any(fixes)
+    };
+    for (index, joint) in scene.joints.iter().enumerate() {
+        let (a, b) = joint.bodies();
+        if let Some(body) = [a, b].into_iter().find(|&row| is_fixed(row)) {
+            let what = format!(
+                "joints[{index}] of a body on a fixed point (hold it by a pin to a static body instead)"
+            );
+            return Err((what, body));
+        }
+    }
+    Ok(())
+}
+
 impl Forces {
     /// The forces of a scene; bodies on a fixed point get their inertia about it.
     ///

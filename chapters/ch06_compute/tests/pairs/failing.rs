@@ -1,7 +1,7 @@
 //! What happens when things go wrong, or nearly.
 
 use ch00_scenes::measures::Penetration;
-use ch00_scenes::{Body, Joint, Scene, Shape, State};
+use ch00_scenes::{Body, Force, Joint, Scene, Settings, Shape, State};
 use ch06_compute::compute::pairs::Room;
 use ch06_compute::compute::{ComputeError, Pairs};
 use ch06_compute::stream::StreamError;
@@ -139,6 +139,30 @@ fn a_joint_between_static_bodies_holds_nothing_and_breaks_nothing() {
     scene.joints.push(between(joint, 0, scene.bodies.len() - 1));
     let state = after(&mut pairs(&gpu(), &scene), 10);
     assert_eq!(state.not_finite(), 0);
+}
+
+#[test]
+fn a_joint_of_a_body_on_a_fixed_point_is_refused_by_both_engines_with_its_index() {
+    let mut scene = Scene::new("a ball that hangs on a top");
+    scene.bodies.push(ball(0.1, 1.0, DVec3::Y));
+    scene.bodies.push(ball(0.1, 1.0, DVec3::ZERO));
+    let half = DVec3::Y * 0.5;
+    scene.joints.push(Joint::pin(0, 1, -half, half));
+    let arm = DVec3::Y * 0.1;
+    scene.forces.push(Force::FixedPoint { body: 0, arm });
+    for engine in [ch06_compute::LANES, ch06_compute::COMPUTE] {
+        let Err(error) = (engine.load)(&scene, &Settings::defaults()) else {
+            panic!("{} takes it", engine.name);
+        };
+        let text = error.to_string();
+        assert!(
+            text.contains("joints[0]") && text.contains("(index 0)"),
+            "{text}"
+        );
+    }
+    let error = Pairs::of(&gpu(), &scene, rules(&scene)).expect_err("no kernel does");
+    let is_known = matches!(error, ComputeError::Unsupported { body: 0, .. });
+    assert!(is_known, "{error}");
 }
 
 /// The same joint between other bodies.
