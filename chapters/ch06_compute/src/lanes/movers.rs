@@ -1,5 +1,10 @@
 //! Passes over the bodies, in blocks of as many as a number has lanes.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a formula that isn't expanded in place passes its lanes through memory"
+)]
+
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
@@ -150,6 +155,7 @@ impl Block<'_> {
     }
 
     /// Exchanges what holds the bodies; gives the velocities of their pushes.
+    #[inline(always)]
     fn exchange_with<R: Real>(
         &mut self,
         moving: &mut Moving<R>,
@@ -179,6 +185,7 @@ impl Block<'_> {
     }
 
     /// Notes how bodies moved before a kick.
+    #[inline(always)]
     fn note_before<R: Real>(&mut self, moving: &Moving<R>) {
         let (v, w, zero) = (moving.velocity, moving.angular_velocity, R::splat(0.0));
         let linear = R::to_rows([v.x, v.y, v.z, zero]);
@@ -189,6 +196,7 @@ impl Block<'_> {
     }
 
     /// The rows as lanes.
+    #[inline(always)]
     fn load<R: Real>(&self) -> Moving<R> {
         let last = self.place.len() - 1;
         let [x, y, z, _] = load::<R>(bytemuck::cast_slice(self.place));
@@ -210,6 +218,7 @@ impl Block<'_> {
     }
 
     /// Lanes as rows again.
+    #[inline(always)]
     fn store<R: Real>(&mut self, moving: &Moving<R>) {
         let Moving {
             position: p,
@@ -218,8 +227,9 @@ impl Block<'_> {
             angular_velocity: w,
             ..
         } = *moving;
-        let reach = R::of(|lane| self.place.get(lane).map_or(0.0, |place| place.reach));
-        let shares = R::of(|lane| self.motion.get(lane).map_or(0.0, |motion| motion.shares));
+        let last = self.place.len() - 1;
+        let reach = R::of(|lane| self.place[lane.min(last)].reach);
+        let shares = R::of(|lane| self.motion[lane.min(last)].shares);
         store([p.x, p.y, p.z, reach], bytemuck::cast_slice_mut(self.place));
         store(
             [q.v.x, q.v.y, q.v.z, q.w],

@@ -1,5 +1,10 @@
 //! What is done with a batch of pairs.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a formula that isn't expanded in place passes its lanes through memory"
+)]
+
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::batches::{Batch, Work};
@@ -35,14 +40,14 @@ pub struct Solve<'s> {
 impl<R: Real> Work<R> for Solve<'_> {
     fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
         let sides = sides(self.bodies, batch);
-        let bodies = batch.rows;
+        let [a, b] = batch.rows;
         let given = solve_pair(
             &batch.contact,
             &batch.surface,
             &mut batch.impulse,
             &mut batch.approach,
             sides,
-            || bodies.map(|rows| before(self.bodies, &rows)),
+            || [before(self.bodies, &a), before(self.bodies, &b)],
             self.step,
         );
         given.write(rows);
@@ -107,13 +112,14 @@ impl<R: Real> Work<R> for Restore<'_> {
 }
 
 /// The bodies of a batch.
-#[inline]
+#[inline(always)]
 fn sides<R: Real, const P: usize>(bodies: &Bodies, batch: &Batch<R, P>) -> [Side<R>; 2] {
-    batch.rows.map(|rows| Side::of(bodies, &rows))
+    let [a, b] = &batch.rows;
+    [Side::of(bodies, a), Side::of(bodies, b)]
 }
 
 /// How bodies moved before the last kick.
-#[inline]
+#[inline(always)]
 fn before<R: Real>(bodies: &Bodies, rows: &[u32]) -> Before<R> {
     let table: &[[[f32; 4]; 2]] = bytemuck::cast_slice(&bodies.before);
     let [x, y, z, _] = R::of_rows(|lane| table[rows[lane] as usize][0]);

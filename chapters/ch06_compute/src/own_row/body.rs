@@ -216,8 +216,9 @@ impl Gathered {
 #[inline(always)]
 #[must_use]
 pub fn holding<R: Real>(rows: impl Fn(usize) -> Held) -> Holding<R> {
-    let [x, y, z, _] = R::of_rows(|lane| bytemuck::cast::<Held, [[f32; 4]; 2]>(rows(lane))[0]);
-    let [tx, ty, tz, _] = R::of_rows(|lane| bytemuck::cast::<Held, [[f32; 4]; 2]>(rows(lane))[1]);
+    let row = |lane: usize| bytemuck::cast::<Held, [[f32; 4]; 2]>(rows(lane));
+    let [x, y, z, _] = R::of_rows(|lane| row(lane)[0]);
+    let [tx, ty, tz, _] = R::of_rows(|lane| row(lane)[1]);
     Holding {
         linear: Vec3::new(x, y, z),
         angular: Vec3::new(tx, ty, tz),
