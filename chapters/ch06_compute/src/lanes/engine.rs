@@ -9,6 +9,7 @@ use glam::Vec3;
 
 use super::Lanes;
 use super::forces::Spring;
+use super::threads::{MOST_THREADS, Threads};
 use crate::own_row::contact::{Contact, touching};
 use crate::own_row::side::Side;
 use crate::rows::{FieldSpec, Impulse, Manifold, WgslType};
@@ -70,6 +71,27 @@ pub fn unsupported(
     }
 }
 
+/// As many threads as the user wants, or as the machine has.
+fn threads(settings: &Settings) -> Result<Threads, LoadError> {
+    let refuse = |count: u32, why: String| LoadError::Setting {
+        method: METHOD,
+        setting: "threads",
+        value: count.to_string(),
+        why,
+    };
+    let count = match settings.threads {
+        None => std::thread::available_parallelism().map_or(1, usize::from),
+        Some(count) if count == 0 || count as usize > MOST_THREADS => {
+            return Err(refuse(
+                count,
+                format!("a run has 1 to {MOST_THREADS} of them"),
+            ));
+        }
+        Some(count) => count as usize,
+    };
+    Threads::of(count).map_err(|why| refuse(count as u32, why.to_string()))
+}
+
 impl LanesEngine {
     /// Loads a scene without orbits.
     ///
@@ -78,7 +100,9 @@ impl LanesEngine {
     pub fn load(scene: &Scene, settings: &Settings) -> Result<Self, LoadError> {
         ENGINE.method(settings)?;
         let rules = Rules::of(scene, settings)?;
-        let lanes = Lanes::of(scene, rules).map_err(|why| unsupported(ENGINE.name, scene, why))?;
+        let mut lanes =
+            Lanes::of(scene, rules).map_err(|why| unsupported(ENGINE.name, scene, why))?;
+        lanes.threads = threads(settings)?;
         Ok(Self {
             lanes,
             scene: scene.clone(),
@@ -135,7 +159,7 @@ impl Engine for LanesEngine {
         EngineInfo {
             engine: ENGINE.name,
             method: METHOD,
-            threads: 1,
+            threads: self.lanes.threads.count() as u32,
             device: "cpu".to_owned(),
             substeps: self.lanes.rules.substeps,
             sweeps: None,

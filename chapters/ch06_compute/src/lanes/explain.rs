@@ -6,6 +6,7 @@ use ch00_scenes::Scene;
 
 use super::Lanes;
 use crate::rows::{Held, Impulse, Manifold, Material, Motion, Place, Press, Push, Solid, Spin};
+use crate::simd::{Eight, Real};
 
 /// Passes, substeps, grid, and bytes a row.
 #[must_use]
@@ -14,8 +15,10 @@ pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
     let moving = scene.dynamic_count();
     let _ = writeln!(
         text,
-        "scene `{}` by own rows on the CPU, one thread: {moving} bodies that move, {} that don't, {} joints; {} substeps a step",
+        "scene `{}` by own rows on the CPU, {} at a time on {} thread(s): {moving} bodies that move, {} that don't, {} joints; {} substeps a step",
         scene.name,
+        Eight::LANES,
+        lanes.threads.count(),
         scene.bodies.len() - moving,
         scene.joints.len(),
         lanes.rules.substeps
