@@ -8,8 +8,8 @@ use ch00_scenes::Scene;
 use ch06_compute::bodies::Bodies;
 use ch06_compute::own_row::body::Gathered;
 use ch06_compute::own_row::loops::solve_loop;
-use ch06_compute::own_row::one_side::Side;
-use ch06_compute::own_row::tree::Trees;
+use ch06_compute::own_row::side::Side;
+use ch06_compute::own_row::tree::{Batches, Trees};
 use ch06_compute::rows::{Held, NONE, Node, Press};
 use glam::Vec3;
 
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .nth(1)
         .map_or(Ok(10), |count| count.parse())?;
     let scene = Scene::open("chain_hanging", Some(links), None)?;
-    let mut trees = Trees::of(&scene);
+    let trees = Trees::of(&scene);
     let joints: Vec<Node> = trees
         .nodes
         .iter()
@@ -34,7 +34,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let mut bodies = kicked(&scene);
     let mut joined = vec![Held::default(); bodies.rows()];
-    trees.solve(&mut bodies, &mut joined, H);
+    let mut batches = Batches::<f32>::of(&trees, &bodies);
+    batches.solve(&bodies, &joined, H);
+    batches.apply(&mut bodies, &mut joined);
     println!(
         "along the tree, once: joints part by {:.1e} m/s",
         parting(&joints, &bodies)
@@ -113,7 +115,7 @@ impl Chain {
     fn pass(&mut self) {
         let old = self.given.clone();
         for (joint, given) in self.joints.iter_mut().zip(&mut self.given) {
-            let sides = [joint.parent_body, joint.body].map(|row| side(&self.bodies, row as usize));
+            let sides = [joint.parent_body, joint.body].map(|row| Side::of(&self.bodies, &[row]));
             *given = solve_loop(joint, given, sides, H);
         }
         for row in 0..self.bodies.rows() {
@@ -139,17 +141,4 @@ impl Chain {
         }
         sum.held
     }
-}
-
-fn side(bodies: &Bodies, row: usize) -> Side {
-    let (place, attitude) = (&bodies.place[row], bodies.attitude[row]);
-    let (motion, spin) = (&bodies.motion[row], &bodies.spin[row]);
-    Side::of(
-        place,
-        attitude,
-        motion,
-        spin,
-        &bodies.solid[row],
-        bodies.before[row],
-    )
 }

@@ -12,6 +12,6 @@ pub mod free_rotation;
 pub mod limits;
 pub mod loops;
 pub mod narrow;
-pub mod one_side;
 pub mod side;
+pub mod swing_twist;
 pub mod tree;

@@ -4,67 +4,63 @@ use ch00_scenes::Scene;
 
 use crate::bodies::Bodies;
 use crate::own_row::body::Gathered;
-use crate::own_row::limits::solve_limit;
+use crate::own_row::limits::Limits;
 use crate::own_row::loops::solve_loop;
-use crate::own_row::one_side::Side;
-use crate::own_row::tree::Trees;
-use crate::rows::{FREE, Held, Node, Press, Turned};
+use crate::own_row::side::Side;
+use crate::own_row::tree::{Batches, Solved, Trees};
+use crate::rows::{FREE, Held, Node, Press};
+use crate::simd::{Eight, Real};
 
 /// A body without a tree.
 const ALONE: u32 = u32::MAX;
 
 /// All joints of a run, and what they do in a substep.
 #[derive(Clone, Debug, Default)]
-pub struct Joints {
-    /// Trees, what closes loops, and limits.
+pub struct Joints<R = Eight> {
+    /// Trees, what closes loops, and limits, as they were at the start.
     pub trees: Trees,
+    /// The trees, a tree a lane.
+    batches: Batches<R>,
+    /// The limits, a limit a lane.
+    limits: Limits<R>,
     /// By body: what its tree holds it with.
     joined: Vec<Held>,
     /// By body: its tree.
     tree_of: Vec<u32>,
-    /// By limit.
-    turned: Vec<Turned>,
     /// By joint that closes a loop.
     pressed: Vec<Press>,
 }
 
-impl Joints {
+impl<R: Real> Joints<R> {
     /// The joints of a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let trees = Trees::of(scene);
         Self {
+            batches: Batches::of(&trees, &Bodies::of(scene)),
+            limits: Limits::of(&trees.limits),
             joined: vec![Held::default(); scene.bodies.len()],
             tree_of: trees_of(&trees, scene.bodies.len()),
-            turned: vec![Turned::default(); trees.limits.len()],
             pressed: vec![Press::default(); trees.loops.len()],
             trees,
         }
-    }
-
-    /// Whether there are none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.trees.is_empty() && self.trees.loops.is_empty()
     }
 
     /// Forgets what held in the last substep.
     pub fn forget(&mut self) {
         self.trees.forget();
         self.joined.fill(Held::default());
-        self.turned.fill(Turned::default());
+        self.batches.forget();
+        self.limits.forget();
         self.pressed.fill(Press::default());
     }
 
     // ANCHOR: solve_rows
     /// Every limit and every joint that closes a loop writes its own impulses.
     pub fn solve_rows(&mut self, bodies: &Bodies, h: f32) {
-        for (limit, turned) in self.trees.limits.iter_mut().zip(&mut self.turned) {
-            let sides = [limit.a, limit.b].map(|row| side_of(bodies, row));
-            *turned = solve_limit(limit, turned, sides, h);
-        }
+        self.limits.solve(bodies, h);
         for (node, pressed) in self.trees.loops.iter_mut().zip(&mut self.pressed) {
-            let sides = [node.parent_body, node.body].map(|row| side_of(bodies, row));
+            let sides = [node.parent_body, node.body].map(|row| Side::of(bodies, &[row]));
             *pressed = solve_loop(node, pressed, sides, h);
         }
     }
@@ -76,7 +72,7 @@ impl Joints {
             return;
         }
         for (limit, is_b) in self.trees.limit_ends.at(row) {
-            sum.add_turned(&self.turned[limit], is_b);
+            sum.add_turned(&self.limits.turned[limit], is_b);
         }
         for (joint, is_b) in self.trees.loop_ends.at(row) {
             let mut press = self.pressed[joint];
@@ -99,9 +95,17 @@ impl Joints {
     // ANCHOR: solve_trees
     /// Every tree mends the velocities of its bodies.
     pub fn solve_trees(&mut self, bodies: &mut Bodies, h: f32) {
-        self.trees.solve(bodies, &mut self.joined, h);
+        self.batches.solve(bodies, &self.joined, h);
+        self.batches.apply(bodies, &mut self.joined);
     }
     // ANCHOR_END: solve_trees
+
+    /// What the last solve made of a body; none if it is in no tree.
+    #[inline]
+    #[must_use]
+    pub fn solved(&self, row: usize) -> Option<&Solved> {
+        self.batches.at(row)
+    }
 
     // ANCHOR: floats
     /// Whether nothing holds a body up: nothing touches it, nor any that hangs together with it, and none of
@@ -123,6 +127,7 @@ impl Joints {
     pub fn add_body(&mut self) {
         self.joined.push(Held::default());
         self.tree_of.push(ALONE);
+        self.batches.add_body();
         self.trees.limit_ends.add_body();
         self.trees.loop_ends.add_body();
     }
@@ -130,6 +135,8 @@ impl Joints {
     /// A body without joints is gone, and those after it have moved up.
     pub fn remove_body(&mut self, row: usize) {
         self.trees.remove_body(row);
+        self.batches.remove_body(row);
+        self.limits.remove_body(row);
         self.joined.remove(row);
         self.tree_of.remove(row);
     }
@@ -144,16 +151,4 @@ fn trees_of(trees: &Trees, bodies: usize) -> Vec<u32> {
         }
     }
     of
-}
-
-fn side_of(bodies: &Bodies, row: u32) -> Side {
-    let row = row as usize;
-    Side::of(
-        &bodies.place[row],
-        bodies.attitude[row],
-        &bodies.motion[row],
-        &bodies.spin[row],
-        &bodies.solid[row],
-        bodies.before[row],
-    )
 }

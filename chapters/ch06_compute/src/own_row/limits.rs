@@ -4,20 +4,25 @@
 //! A limit reads both bodies and writes its own turning impulses, from the same velocities as the contacts
 //! do and with the same shares of the masses. Each of its up to three turns has a unit axis u, a rate
 //! u·(ω_b − ω_a) and a room C that is left until the bound. [`super::contact`] says why shares.
+//!
+//! Limits of one kind are solved together, a limit a lane ([`batch`]).
 
+pub mod batch;
 #[cfg(test)]
 mod tests;
 
 use std::f32::consts::PI;
 
-use ch00_maths::f32::swing_twist::{cone, decompose, swing_axes, twist_axis};
 use ch00_scenes::{EulerLimits, Joint, Scene};
-use glam::{DQuat, DVec3, Quat, Vec3};
+use glam::{DQuat, DVec3};
+
+pub use batch::Limits;
 
 use super::loops::point_reply;
-use super::one_side::Side;
-use super::tree::Symmetric;
-use crate::rows::{CONE_TWIST, EULER, FREE_ANGLE, Limit, Turned};
+use super::side::Side;
+use super::swing_twist::{SMALL_SINE, cone, swing_axes, swing_of, twist_axis, twist_of};
+use crate::rows::{CONE_TWIST, EULER, FREE_ANGLE, Limit};
+use crate::simd::{Mask, Quat, Real, Symmetric, Vec3};
 
 /// A limit this near, rad, counts among those that share the masses.
 pub const NEAR: f32 = 0.02;
@@ -41,44 +46,107 @@ pub const RETURN_SHARE: f32 = 0.05;
 /// The fastest that it does, rad/s: slow enough that no one sees it.
 pub const GENTLE_TURN: f32 = 0.25;
 
-/// Below this an axis is none.
-const SMALL: f32 = 1e-6;
+// ANCHOR: bounds
+/// How far bodies may turn away from their rest in others: a [`Limit`] a lane, all of one kind.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bounds<R> {
+    /// Cone and twist, or pitch, yaw and roll.
+    pub kind: u32,
+    /// The joint's frame in a.
+    pub frame_a: Quat<R>,
+    /// The joint's frame in b.
+    pub frame_b: Quat<R>,
+    /// Lower bounds of the three turns, rad.
+    pub low: Vec3<R>,
+    /// Upper bounds, rad.
+    pub high: Vec3<R>,
+    /// The joint's point, in a's axes, m.
+    pub anchor_a: Vec3<R>,
+    /// The joint's point, in b's axes, m.
+    pub anchor_b: Vec3<R>,
+    /// What held each of the three in the last substep, N m s: positive from below.
+    pub impulses: Vec3<R>,
+}
+
+/// What limits do to their two bodies in a substep: a [`crate::rows::Turned`] a lane.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Turning<R> {
+    /// Turning impulse that b receives, N m s; a the opposite.
+    pub turning: Vec3<R>,
+    /// Turning push that b receives, N m s; a the opposite.
+    pub push: Vec3<R>,
+    /// 1 where it counts among those that share the bodies' masses in the next substep.
+    pub counts: R,
+}
+// ANCHOR_END: bounds
+
+impl<R: Real> Bounds<R> {
+    /// Of the limits that `limit` gives for each lane, which are of one kind.
+    pub fn of<'a>(limit: impl Fn(usize) -> &'a Limit) -> Self {
+        Self {
+            kind: limit(0).kind,
+            frame_a: Quat::of(|lane| limit(lane).frame_a),
+            frame_b: Quat::of(|lane| limit(lane).frame_b),
+            low: Vec3::of(|lane| limit(lane).low),
+            high: Vec3::of(|lane| limit(lane).high),
+            anchor_a: Vec3::of(|lane| limit(lane).anchor_a),
+            anchor_b: Vec3::of(|lane| limit(lane).anchor_b),
+            impulses: Vec3::of(|lane| limit(lane).impulses),
+        }
+    }
+}
 
 // ANCHOR: bounded
 /// A turn that is limited.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Bounded {
+#[derive(Clone, Copy, Debug)]
+pub struct Bounded<R: Real> {
     /// u: a unit vector, along which the angle grows.
-    pub axis: Vec3,
+    pub axis: Vec3<R>,
     /// C: how much further it may turn towards the nearer bound, rad; negative beyond it. Of a turn that
     /// is locked, how far it is above.
-    pub room: f32,
+    pub room: R,
     /// 1 if the nearer bound is below, −1 if it is above, 0 if there is none.
-    pub side: f32,
+    pub side: R,
     /// Whether both bounds are one.
-    pub is_locked: bool,
+    pub is_locked: R::Mask,
 }
 // ANCHOR_END: bounded
+
+impl<R: Real> Bounded<R> {
+    /// A turn without bounds.
+    #[inline(always)]
+    fn free() -> Self {
+        Self {
+            axis: Vec3::zero(),
+            room: R::splat(0.0),
+            side: R::splat(0.0),
+            is_locked: R::Mask::splat(false),
+        }
+    }
+
+    /// Whether there is a bound, and not too far away.
+    #[inline(always)]
+    fn acts(&self) -> R::Mask {
+        !self.side.same(R::splat(0.0)) & self.room.le(R::splat(FAR))
+    }
+}
 
 // ANCHOR: within
 /// The nearer bound of an angle whose rate is `axis`·ω. The row is divided by the length of its axis,
 /// which grows beyond all bounds where the angle has no value.
-fn within(angle: f32, low: f32, high: f32, axis: Vec3) -> Bounded {
+#[inline(always)]
+fn within<R: Real>(angle: R, low: R, high: R, axis: Vec3<R>) -> Bounded<R> {
+    let (zero, one) = (R::splat(0.0), R::splat(1.0));
     let length = axis.length();
-    if (low <= -PI && high >= PI) || length < SMALL {
-        return Bounded::default();
-    }
+    let is_free = (low.le(R::splat(-PI)) & R::splat(PI).le(high)) | length.lt(R::splat(SMALL_SINE));
+    let scale = R::select(is_free, zero, R::select(is_free, one, length).recip());
     let (above, below) = (angle - low, high - angle);
-    let is_locked = low == high;
-    let (room, side) = if above < below || is_locked {
-        (above, 1.0)
-    } else {
-        (below, -1.0)
-    };
+    let is_locked = low.same(high);
+    let is_low = above.lt(below) | is_locked;
     Bounded {
-        axis: axis / length,
-        room: room / length,
-        side,
+        axis: axis * scale,
+        room: R::select(is_low, above, below) * scale,
+        side: R::select(is_free, zero, R::select(is_low, one, -one)),
         is_locked,
     }
 }
@@ -86,22 +154,25 @@ fn within(angle: f32, low: f32, high: f32, axis: Vec3) -> Bounded {
 
 // ANCHOR: turns
 /// The turns that are limited, at these attitudes: tilt, twist and none, or pitch, yaw and roll.
+#[inline(always)]
 #[must_use]
-pub fn turns(limit: &Limit, a: Quat, b: Quat) -> [Bounded; 3] {
-    let (rest, frame) = (a * limit.frame_a, b * limit.frame_b);
-    let (y_rest, y) = (rest * Vec3::Y, frame * Vec3::Y);
-    let parts = decompose(rest.conjugate() * frame);
+pub fn turns<R: Real>(limit: &Bounds<R>, a: Quat<R>, b: Quat<R>) -> [Bounded<R>; 3] {
+    let up = Vec3::all(glam::Vec3::Y);
+    let (rest, frame) = (a.product(limit.frame_a), b.product(limit.frame_b));
+    let (y_rest, y) = (rest.rotate(up), frame.rotate(up));
+    let turn = rest.conjugate().product(frame);
     let (low, high) = (limit.low, limit.high);
-    let twist = within(parts.twist, low.y, high.y, twist_axis(y_rest, y));
+    let twist = within(twist_of(turn), low.y, high.y, twist_axis(y_rest, y));
     if limit.kind == EULER {
-        let (pitch_axis, roll_axis) = swing_axes(rest, parts.swing, y);
-        let pitch = within(parts.swing.x, low.x, high.x, pitch_axis);
-        let roll = within(parts.swing.z, low.z, high.z, roll_axis);
+        let swing = swing_of(turn);
+        let (pitch_axis, roll_axis) = swing_axes(rest, swing, y);
+        let pitch = within(swing.x, low.x, high.x, pitch_axis);
+        let roll = within(swing.z, low.z, high.z, roll_axis);
         return [pitch, twist, roll];
     }
     let (angle, axis) = cone(y_rest, y);
-    let tilt = within(angle, -FREE_ANGLE, high.x, axis.unwrap_or(Vec3::ZERO));
-    [tilt, twist, Bounded::default()]
+    let tilt = within(angle, R::splat(-FREE_ANGLE), high.x, axis);
+    [tilt, twist, Bounded::free()]
 }
 // ANCHOR_END: turns
 
@@ -113,17 +184,18 @@ pub fn turns(limit: &Limit, a: Quat, b: Quat) -> [Bounded; 3] {
 /// would go on turning them when they already stand: it would bounce. All joints of a tree together make
 /// them answer less still, so a limit that reckons with its own point alone never does too much.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Pinned {
-    arm_a: Vec3,
-    arm_b: Vec3,
+struct Pinned<R> {
+    arm_a: Vec3<R>,
+    arm_b: Vec3<R>,
     /// K⁻¹: the impulse at the point that goes with a parting there, kg.
-    holding: Symmetric,
+    holding: Symmetric<R>,
 }
 
-impl Pinned {
-    fn of(limit: &Limit, a: &Side, b: &Side) -> Self {
-        let arm_a = a.attitude * limit.anchor_a;
-        let arm_b = b.attitude * limit.anchor_b;
+impl<R: Real> Pinned<R> {
+    #[inline(always)]
+    fn of(limit: &Bounds<R>, a: &Side<R>, b: &Side<R>) -> Self {
+        let arm_a = a.attitude.rotate(limit.anchor_a);
+        let arm_b = b.attitude.rotate(limit.anchor_b);
         let reply = point_reply(a, arm_a).plus(point_reply(b, arm_b));
         let holding = reply.inverse(a.shared_mass + b.shared_mass);
         Self {
@@ -134,27 +206,33 @@ impl Pinned {
     }
 
     /// How a turning impulse on b, and its opposite on a, changes the spins of both.
-    fn turned_by(&self, a: &Side, b: &Side, turning: Vec3) -> [Vec3; 2] {
-        let (turn_a, turn_b) = (a.shared_inertia * turning, b.shared_inertia * turning);
+    #[inline(always)]
+    fn turned_by(&self, a: &Side<R>, b: &Side<R>, turning: Vec3<R>) -> [Vec3<R>; 2] {
+        let turn_a = a.shared_inertia.times(turning);
+        let turn_b = b.shared_inertia.times(turning);
         let parting = turn_b.cross(self.arm_b) + turn_a.cross(self.arm_a);
         let held = self.holding.times(parting);
         [
-            a.shared_inertia * self.arm_a.cross(held) - turn_a,
-            turn_b - b.shared_inertia * self.arm_b.cross(held),
+            a.shared_inertia.times(self.arm_a.cross(held)) - turn_a,
+            turn_b - b.shared_inertia.times(self.arm_b.cross(held)),
         ]
     }
 
     /// The relative spin that a turning impulse makes.
-    fn spin_of(&self, a: &Side, b: &Side, turning: Vec3) -> Vec3 {
+    #[inline(always)]
+    fn spin_of(&self, a: &Side<R>, b: &Side<R>, turning: Vec3<R>) -> Vec3<R> {
         let [spin_a, spin_b] = self.turned_by(a, b, turning);
         spin_b - spin_a
     }
 
-    /// What the limit alone makes of its two bodies.
-    fn turn(&self, a: &mut Side, b: &mut Side, turning: Vec3) {
+    /// What the limit alone makes of its two bodies, where it acts.
+    #[inline(always)]
+    fn turn(&self, acts: R::Mask, a: &mut Side<R>, b: &mut Side<R>, turning: Vec3<R>) {
         let [spin_a, spin_b] = self.turned_by(a, b, turning);
-        a.angular_velocity += spin_a;
-        b.angular_velocity += spin_b;
+        for (side, spin) in [(a, spin_a), (b, spin_b)] {
+            let turned = side.angular_velocity + spin;
+            side.angular_velocity = Vec3::select(acts, turned, side.angular_velocity);
+        }
     }
 }
 // ANCHOR_END: pinned
@@ -163,98 +241,128 @@ impl Pinned {
 /// A substep of a limit: it mends its turning impulses so that the bodies, with the share of their masses
 /// that it has, don't turn beyond a bound. `before` is what it gave them in the last substep, which they
 /// started this one with; it works now only if it counted then.
+#[inline(always)]
 #[must_use]
-pub fn solve_limit(limit: &mut Limit, before: &Turned, sides: [Side; 2], h: f32) -> Turned {
+pub fn solve_limit<R: Real>(
+    limit: &mut Bounds<R>,
+    before: &Turning<R>,
+    sides: [Side<R>; 2],
+    h: f32,
+) -> Turning<R> {
     let [mut a, mut b] = sides;
     let turns = turns(limit, a.attitude, b.attitude);
-    let mut impulses = Vec3::ZERO;
-    let mut turned = Turned::default();
-    if before.counts > 0.0 {
+    let works = before.counts.gt(R::splat(0.0));
+    let mut turned = Turning::default();
+    let mut impulses = [R::splat(0.0); 3];
+    if works.any() {
         let pinned = Pinned::of(limit, &a, &b);
+        let held = [limit.impulses.x, limit.impulses.y, limit.impulses.z];
         for (k, turn) in turns.iter().enumerate() {
-            impulses[k] = still_holds(turn, limit.impulses[k]);
-            turned.turning += impulses[k] * turn.axis;
+            impulses[k] = R::select(works, still_holds(turn, held[k]), R::splat(0.0));
+            turned.turning += turn.axis * impulses[k];
         }
-        pinned.turn(&mut a, &mut b, turned.turning - before.turning);
+        let change = turned.turning - before.turning;
+        pinned.turn(works, &mut a, &mut b, change);
         // First the swing, then the twist, each from the velocities that the one before left.
         for k in [0, 2, 1] {
-            let (turn, impulse) = (&turns[k], &mut impulses[k]);
-            solve_turn(turn, &pinned, impulse, &mut turned, &mut a, &mut b, h);
+            let (turn, acts) = (&turns[k], works & turns[k].acts());
+            if acts.any() {
+                let impulse = &mut impulses[k];
+                solve_turn(turn, acts, &pinned, impulse, &mut turned, &mut a, &mut b, h);
+            }
         }
     }
-    limit.impulses = impulses;
-    let holds = impulses != Vec3::ZERO;
-    let counts = holds || turns.iter().any(|turn| is_near(turn, &a, &b, h));
-    turned.counts = if counts { 1.0 } else { 0.0 };
+    let [x, y, z] = impulses;
+    limit.impulses = Vec3::new(x, y, z);
+    turned.counts = R::ones(holds(impulses) | is_any_near(&turns, &a, &b, h));
     turned
 }
 // ANCHOR_END: solve_limit
 
+/// The vector where yes, else none.
+#[inline(always)]
+fn only<R: Real>(mask: R::Mask, v: Vec3<R>) -> Vec3<R> {
+    Vec3::select(mask, v, Vec3::zero())
+}
+
 /// What is left of an impulse: nothing, if the nearer bound is another one than it came from.
-fn still_holds(turn: &Bounded, impulse: f32) -> f32 {
-    if turn.side == 0.0 || turn.room > FAR {
-        return 0.0;
-    }
-    if turn.is_locked {
-        return impulse;
-    }
-    turn.side * (turn.side * impulse).max(0.0)
+#[inline(always)]
+fn still_holds<R: Real>(turn: &Bounded<R>, impulse: R) -> R {
+    let zero = R::splat(0.0);
+    let one_way = turn.side * (turn.side * impulse).max(zero);
+    let held = R::select(turn.is_locked, impulse, one_way);
+    R::select(turn.acts(), held, zero)
 }
 
 // ANCHOR: solve_turn
-/// Mends the impulse of one turn, and pushes back what is beyond its bound.
-fn solve_turn(
-    turn: &Bounded,
-    pinned: &Pinned,
-    impulse: &mut f32,
-    turned: &mut Turned,
-    a: &mut Side,
-    b: &mut Side,
+/// Mends the impulse of one turn where it acts, and pushes back what is beyond its bound.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "what one turn has to do with")]
+fn solve_turn<R: Real>(
+    turn: &Bounded<R>,
+    acts: R::Mask,
+    pinned: &Pinned<R>,
+    impulse: &mut R,
+    turned: &mut Turning<R>,
+    a: &mut Side<R>,
+    b: &mut Side<R>,
     h: f32,
 ) {
-    if turn.side == 0.0 || turn.room > FAR {
-        return;
-    }
-    let reply = turn.axis.dot(pinned.spin_of(a, b, turn.axis)).max(SMALL);
+    let zero = R::splat(0.0);
+    let reply = turn.axis.dot(pinned.spin_of(a, b, turn.axis));
+    let sharing = reply.max(R::splat(SMALL_SINE)).recip();
     let rate = turn.axis.dot(b.angular_velocity - a.angular_velocity);
-    let wanted = if turn.is_locked {
-        *impulse - (rate - returning(-turn.room, h)) / reply
-    } else {
-        let slack = turn.room.max(0.0) / h;
-        let back = returning((-turn.room - TURN_SLOP).max(0.0), h);
-        let off = turn.side * rate + slack - back;
-        turn.side * (turn.side * *impulse - off / reply).max(0.0)
-    };
-    let change = (wanted - *impulse) * turn.axis;
-    *impulse = wanted;
+    let locked = *impulse - (rate - returning(-turn.room, h)) * sharing;
+    let slack = turn.room.max(zero) * R::splat(1.0 / h);
+    let back = returning((-turn.room - R::splat(TURN_SLOP)).max(zero), h);
+    let off = turn.side * rate + slack - back;
+    let bounded = turn.side * (turn.side * *impulse - off * sharing).max(zero);
+    let wanted = R::select(turn.is_locked, locked, bounded);
+    let change = only(acts, turn.axis * (wanted - *impulse));
+    *impulse = R::select(acts, wanted, *impulse);
     turned.turning += change;
-    pinned.turn(a, b, change);
+    pinned.turn(acts, a, b, change);
     let pushed = turn.axis.dot(pinned.spin_of(a, b, turned.push));
-    turned.push += turn.axis * pushed_back(turn, pushed, reply, h);
+    turned.push += only(acts, turn.axis * pushed_back(turn, pushed, sharing, h));
 }
 
 /// How fast the impulse turns back what is beyond, rad/s.
-fn returning(beyond: f32, h: f32) -> f32 {
-    (beyond * (RETURN_SHARE / h)).clamp(-GENTLE_TURN, GENTLE_TURN)
+#[inline(always)]
+fn returning<R: Real>(beyond: R, h: f32) -> R {
+    let most = R::splat(GENTLE_TURN);
+    (beyond * R::splat(RETURN_SHARE / h)).clamp(-most, most)
 }
 
 /// The turning push that turns back what is beyond a bound, N m s, where others push at this rate.
-fn pushed_back(turn: &Bounded, pushed: f32, reply: f32, h: f32) -> f32 {
-    let wanted = (turn.room * (-TURN_SHARE / h)).clamp(-FASTEST_TURN, FASTEST_TURN);
-    if turn.is_locked {
-        return (wanted - pushed) / reply;
-    }
-    if turn.room >= 0.0 {
-        return 0.0;
-    }
-    turn.side * ((wanted - turn.side * pushed) / reply).max(0.0)
+/// `sharing` is the turning impulse that goes with a rate, kg m².
+#[inline(always)]
+fn pushed_back<R: Real>(turn: &Bounded<R>, pushed: R, sharing: R, h: f32) -> R {
+    let (zero, most) = (R::splat(0.0), R::splat(FASTEST_TURN));
+    let wanted = (turn.room * R::splat(-TURN_SHARE / h)).clamp(-most, most);
+    let locked = (wanted - pushed) * sharing;
+    let bounded = turn.side * ((wanted - turn.side * pushed) * sharing).max(zero);
+    let beyond = R::select(turn.room.lt(zero), bounded, zero);
+    R::select(turn.is_locked, locked, beyond)
 }
 // ANCHOR_END: solve_turn
 
+/// Whether any of the impulses isn't 0.
+#[inline(always)]
+fn holds<R: Real>([x, y, z]: [R; 3]) -> R::Mask {
+    let zero = R::splat(0.0);
+    !(x.same(zero) & y.same(zero) & z.same(zero))
+}
+
 /// Whether a turn is at its bound or may be in the next substep.
-fn is_near(turn: &Bounded, a: &Side, b: &Side, h: f32) -> bool {
-    let rate = turn.side * turn.axis.dot(b.angular_velocity - a.angular_velocity);
-    turn.side != 0.0 && (turn.is_locked || turn.room + 2.0 * h * rate < NEAR)
+#[inline(always)]
+fn is_any_near<R: Real>(turns: &[Bounded<R>; 3], a: &Side<R>, b: &Side<R>, h: f32) -> R::Mask {
+    let is_near = |turn: &Bounded<R>| {
+        let rate = turn.side * turn.axis.dot(b.angular_velocity - a.angular_velocity);
+        let soon = (turn.room + rate * R::splat(2.0 * h)).lt(R::splat(NEAR));
+        !turn.side.same(R::splat(0.0)) & (turn.is_locked | soon)
+    };
+    let [one, two, three] = turns;
+    is_near(one) | is_near(two) | is_near(three)
 }
 
 // ANCHOR: limit_of

@@ -5,11 +5,10 @@
 //! hangs at both ends is taut along its tree and parts a little where the loop closes. The trees are
 //! solved after the rows and pass on what they did.
 
-use glam::Vec3;
-
-use super::one_side::{Side, across};
-use super::tree::{Bone, Link, Rate, Symmetric, Wrench, link_of};
+use super::side::Side;
+use super::tree::{Bone, Fitting, Link, Rate, Wrench, link_of};
 use crate::rows::{HINGE, Node, Press, ROD};
+use crate::simd::{Real, Symmetric, Vec3};
 
 /// The share of a gap that a substep's push closes.
 pub const LOOP_SHARE: f32 = 0.2;
@@ -25,21 +24,16 @@ const SMALL: f32 = 1e-12;
 /// points no longer part. What they have parted by is pushed together. `before` is what it gave in the
 /// last substep, which the bodies started this one with.
 #[must_use]
-pub fn solve_loop(node: &mut Node, before: &Press, sides: [Side; 2], h: f32) -> Press {
+pub fn solve_loop(node: &mut Node, before: &Press, sides: [Side<f32>; 2], h: f32) -> Press {
     let [mut a, mut b] = sides;
-    let link = link_of(node, &still(&b), &still(&a), &Bone::default(), h);
+    let fitting = Fitting::of(|_| &*node);
+    let (child, parent) = (still(&b), still(&a));
+    let link = link_of(node.kind, &fitting, &child, &parent, &Bone::default(), h);
     let mut given = again(node, &link);
     let now = pressed_by(&link, given);
-    take(
-        &mut a,
-        before.linear - now.linear,
-        now.angular_a - before.angular_a,
-    );
-    take(
-        &mut b,
-        now.linear - before.linear,
-        now.angular_b - before.angular_b,
-    );
+    let linear = Vec3::from(now.linear - before.linear);
+    a.take(-linear, (now.angular_a - before.angular_a).into());
+    b.take(linear, (now.angular_b - before.angular_b).into());
     mend(
         node.kind,
         &link,
@@ -49,14 +43,14 @@ pub fn solve_loop(node: &mut Node, before: &Press, sides: [Side; 2], h: f32) -> 
         &mut b,
     );
     for side in [&mut a, &mut b] {
-        side.velocity = Vec3::ZERO;
-        side.angular_velocity = Vec3::ZERO;
+        side.velocity = Vec3::zero();
+        side.angular_velocity = Vec3::zero();
     }
     let mut pushed = Wrench::default();
     let wanted = closing(&link);
     mend(node.kind, &link, wanted, &mut pushed, &mut a, &mut b);
-    node.impulse = given.impulse;
-    node.turning = given.turning;
+    node.impulse = given.impulse.lane(0);
+    node.turning = given.turning.lane(0);
     let push = pressed_by(&link, pushed);
     Press {
         push: push.linear,
@@ -69,29 +63,29 @@ pub fn solve_loop(node: &mut Node, before: &Press, sides: [Side; 2], h: f32) -> 
 // ANCHOR_END: solve_loop
 
 /// What the joint gave in the last substep, as it acts now.
-fn again(node: &Node, link: &Link) -> Wrench {
-    let along = link.along * link.along.dot(node.impulse);
+fn again(node: &Node, link: &Link<f32>) -> Wrench<f32> {
+    let (impulse, turning) = (Vec3::from(node.impulse), Vec3::from(node.turning));
     Wrench {
         impulse: if node.kind == ROD {
-            along
+            link.along * link.along.dot(impulse)
         } else {
-            node.impulse
+            impulse
         },
-        turning: node.turning - link.along * link.along.dot(node.turning),
+        turning: turning - link.along * link.along.dot(turning),
     }
 }
 
 /// How fast a push closes what is open.
-fn closing(link: &Link) -> Rate {
+fn closing(link: &Link<f32>) -> Rate<f32> {
     let Rate { velocity, spin } = link.wanted[0];
     Rate {
-        velocity: LOOP_SHARE * velocity,
-        spin: LOOP_SHARE * spin,
+        velocity: velocity * LOOP_SHARE,
+        spin: spin * LOOP_SHARE,
     }
 }
 
 /// A body that doesn't move: what its joint wants is then to close the gap and no more.
-fn still(side: &Side) -> Bone {
+fn still(side: &Side<f32>) -> Bone<f32> {
     Bone {
         position: side.position,
         attitude: side.attitude,
@@ -100,25 +94,26 @@ fn still(side: &Side) -> Bone {
 }
 
 /// An impulse about the joint's point, as the two bodies receive it.
-fn pressed_by(link: &Link, given: Wrench) -> Press {
+fn pressed_by(link: &Link<f32>, given: Wrench<f32>) -> Press {
     Press {
-        linear: given.impulse,
-        angular_a: -given.at(-link.parent_arm).turning,
-        angular_b: given.at(-link.arm).turning,
+        linear: given.impulse.lane(0),
+        angular_a: -given.at(-link.parent_arm).turning.lane(0),
+        angular_b: given.at(-link.arm).turning.lane(0),
         ..Press::default()
     }
-}
-
-/// What the row alone makes of a body.
-fn take(side: &mut Side, impulse: Vec3, turning: Vec3) {
-    side.velocity += impulse * side.shared_mass;
-    side.angular_velocity += side.shared_inertia * turning;
 }
 
 // ANCHOR: mend
 /// Mends `given` so that the relative motion at the joint's point becomes `wanted`: first of the point,
 /// then of a hinge's axes.
-fn mend(kind: u32, link: &Link, wanted: Rate, given: &mut Wrench, a: &mut Side, b: &mut Side) {
+fn mend(
+    kind: u32,
+    link: &Link<f32>,
+    wanted: Rate<f32>,
+    given: &mut Wrench<f32>,
+    a: &mut Side<f32>,
+    b: &mut Side<f32>,
+) {
     for _ in 0..LOOP_SWEEPS {
         let lacks = wanted.velocity - parting(link, a, b);
         let reply = point_reply(a, link.parent_arm).plus(point_reply(b, link.arm));
@@ -128,13 +123,13 @@ fn mend(kind: u32, link: &Link, wanted: Rate, given: &mut Wrench, a: &mut Side, 
         } else {
             reply.inverse(a.shared_mass + b.shared_mass).times(lacks)
         };
-        take(a, -impulse, -link.parent_arm.cross(impulse));
-        take(b, impulse, link.arm.cross(impulse));
+        a.take(-impulse, -link.parent_arm.cross(impulse));
+        b.take(impulse, link.arm.cross(impulse));
         given.impulse += impulse;
         if kind == HINGE {
             let turning = aligning(link.along, wanted.spin, a, b);
-            take(a, Vec3::ZERO, -turning);
-            take(b, Vec3::ZERO, turning);
+            a.take(Vec3::zero(), -turning);
+            b.take(Vec3::zero(), turning);
             given.turning += turning;
         }
     }
@@ -142,31 +137,46 @@ fn mend(kind: u32, link: &Link, wanted: Rate, given: &mut Wrench, a: &mut Side, 
 // ANCHOR_END: mend
 
 /// Velocity of b's point away from a's, m/s.
-fn parting(link: &Link, a: &Side, b: &Side) -> Vec3 {
-    b.velocity + b.angular_velocity.cross(link.arm)
-        - a.velocity
-        - a.angular_velocity.cross(link.parent_arm)
+fn parting(link: &Link<f32>, a: &Side<f32>, b: &Side<f32>) -> Vec3<f32> {
+    b.velocity_at(link.arm) - a.velocity_at(link.parent_arm)
 }
 
+// ANCHOR: point_reply
 /// What a unit impulse at `arm` makes of the velocity there, along each axis, 1/kg.
+#[inline(always)]
 #[must_use]
-pub fn point_reply(side: &Side, arm: Vec3) -> Symmetric {
-    let along = |unit: Vec3| (side.shared_inertia * arm.cross(unit)).cross(arm);
-    let [x, y, z] = Vec3::AXES.map(along);
+pub fn point_reply<R: Real>(side: &Side<R>, arm: Vec3<R>) -> Symmetric<R> {
+    let [ix, iy, iz] = side.shared_inertia.columns();
+    // I⁻¹ (r × x̂), with r × x̂ = (0, r_z, −r_y), and so on.
+    let x = (iy * arm.z - iz * arm.y).cross(arm);
+    let y = (iz * arm.x - ix * arm.z).cross(arm);
+    let z = (ix * arm.y - iy * arm.x).cross(arm);
     Symmetric {
-        diagonal: Vec3::new(x.x, y.y, z.z) + side.shared_mass,
+        diagonal: Vec3::new(x.x, y.y, z.z) + Vec3::splat(side.shared_mass),
         off: Vec3::new(y.z, z.x, x.y),
     }
 }
+// ANCHOR_END: point_reply
 
 /// The turning impulse across a hinge's axis that makes the relative spin there what is wanted.
-fn aligning(axis: Vec3, wanted: Vec3, a: &Side, b: &Side) -> Vec3 {
+fn aligning(axis: Vec3<f32>, wanted: Vec3<f32>, a: &Side<f32>, b: &Side<f32>) -> Vec3<f32> {
     let [u, w] = across(axis);
     let lacks = wanted - (b.angular_velocity - a.angular_velocity);
-    let shared = |v: Vec3| a.shared_inertia * v + b.shared_inertia * v;
+    let shared = |v: Vec3<f32>| a.shared_inertia.times(v) + b.shared_inertia.times(v);
     let (by_u, by_w) = (shared(u), shared(w));
     let (uu, uw, ww) = (u.dot(by_u), u.dot(by_w), w.dot(by_w));
     let (along_u, along_w) = (u.dot(lacks), w.dot(lacks));
-    let sharing = 1.0 / (uu * ww - uw * uw).max(SMALL);
+    let sharing = (uu * ww - uw * uw).max(SMALL).recip();
     (u * (ww * along_u - uw * along_w) + w * (uu * along_w - uw * along_u)) * sharing
+}
+
+/// Two unit vectors across a unit vector and across each other. [Duff and others 2017]
+fn across(n: Vec3<f32>) -> [Vec3<f32>; 2] {
+    let sign = if n.z >= 0.0 { 1.0 } else { -1.0 };
+    let p = -1.0 / (sign + n.z);
+    let q = n.x * n.y * p;
+    [
+        Vec3::new(1.0 + sign * n.x * n.x * p, sign * q, -sign * n.x),
+        Vec3::new(q, sign + n.y * n.y * p, -n.y),
+    ]
 }

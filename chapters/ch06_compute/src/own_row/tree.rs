@@ -6,34 +6,36 @@
 //! the leaves to the root, where each body is folded into its parent ([`fold`]), and back ([`unfold`]).
 //! The two right-hand sides, velocities and pushes, share the walks.
 //!
+//! Trees of one shape, all ragdolls of a scene, are walked together, a tree a lane ([`batch`]).
+//!
 //! Contacts must know beforehand what hangs on what, so a substep starts with the joints' impulses of
 //! the last one. The tree takes these back first and gives its own instead.
 
 mod articulated;
+pub mod batch;
 mod build;
 mod error;
 mod fold;
 mod graph;
+mod heft;
 mod link;
 mod merge;
-mod symmetric;
 #[cfg(test)]
 mod tests;
 
 use std::ops::Range;
 
-use ch00_maths::f32::rotation;
-use glam::Vec3;
-
-pub use articulated::{Articulated, Rate, Wrench, transposed_times, world_moments};
+pub use articulated::{Articulated, Rate, Wrench};
+pub use batch::{Batch, Batches, Limb, Solved};
 pub use build::{Ends, Trees, WORKGROUP};
 pub use error::TreeError;
 pub use fold::{Carried, Kept, fold, unfold};
-pub use link::{Bone, FASTEST_ALIGNING, FASTEST_CLOSING, Link, link_of};
-pub use symmetric::Symmetric;
+pub use heft::Heft;
+pub use link::{Bone, FASTEST_ALIGNING, FASTEST_CLOSING, Fitting, Link, link_of};
 
 use crate::bodies::Bodies;
-use crate::rows::{FREE, Held, NONE, Node, TWO_RODS};
+use crate::rows::{FREE, Held, Node, TWO_RODS};
+use crate::simd::{Quat, Real, Symmetric, Vec3, gather};
 
 /// How much of the stiffness that a pull gives a joint stands in the inertia. A quarter is enough by
 /// theory, where turns are small; see [`stiffened`].
@@ -41,127 +43,132 @@ pub const PULL_SHARE: f32 = 0.5;
 
 /// What a walk knows of a node.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Walked {
-    bone: Bone,
-    link: Link,
-    kept: Kept,
+pub struct Walked<R> {
+    bone: Bone<R>,
+    link: Link<R>,
+    kept: Kept<R>,
     /// What the parent feels of it.
-    felt: Carried,
+    felt: Carried<R>,
     /// What becomes of its motion.
-    change: [Rate; 2],
+    change: [Rate<R>; 2],
 }
 
 // ANCHOR: solve_tree
-/// Mends the velocities and the pushes of all bodies of a tree, whose nodes these are, so that no joint
-/// parts; and says in `joined` with what its joints hold each body.
+/// Mends the velocities and the pushes of all bodies of a tree, so that no joint parts: with what its
+/// joints hold each body now, and how that makes it move, stands in the tree's own rows.
 ///
 /// `joined` must be what the substep began with: that much the bodies have received already.
-pub fn solve_tree(
-    nodes: &mut [Node],
-    tree: Range<usize>,
-    bodies: &mut Bodies,
-    joined: &mut [Held],
-    walked: &mut Vec<Walked>,
+pub fn solve_tree<R: Real>(
+    tree: &mut Batch<R>,
+    bodies: &Bodies,
+    joined: &[Held],
+    walked: &mut Vec<Walked<R>>,
     h: f32,
 ) {
-    let first = tree.start;
-    walked.clear();
-    for node in &nodes[tree.clone()] {
-        take_back(node.body as usize, bodies, joined);
-        let bone = bone_of(bodies, node.body);
-        walked.push(Walked {
-            bone,
-            ..Walked::default()
-        });
+    walked.resize_with(tree.nodes.len(), Walked::default);
+    for (node, here) in tree.nodes.iter().zip(walked.iter_mut()) {
+        here.bone = bone_of(bodies, &node.rows);
+        take_back(node, &mut here.bone, joined);
     }
-    for i in tree.clone().rev() {
-        let node = &nodes[i];
-        let bone = walked[i - first].bone;
-        let link = meet(node, &bone, bodies, h);
-        let mut body = stands(node, &bone, &link, h);
-        for child in children(node) {
-            body = body.plus(walked[child - first].felt);
+    for (i, node) in tree.nodes.iter().enumerate().rev() {
+        let link = meet(node, &walked[i].bone, bodies, walked, h);
+        let mut body = stands(node, &walked[i].bone, &link, h);
+        for child in node.children.clone() {
+            body = body.plus(walked[child].felt);
         }
-        let (kept, felt) = fold(node.kind, &link, &bone, &body);
-        let felt = pulled(node, &link, felt, h);
-        walked[i - first] = Walked {
-            bone,
-            link,
-            kept,
-            felt,
-            ..Walked::default()
-        };
+        let here = &mut walked[i];
+        (here.kept, here.felt) = fold(node.kind, &link, &node.heft, &body);
+        here.felt = pulled(node, &link, here.felt, h);
+        here.link = link;
     }
-    for i in tree {
-        let node = &mut nodes[i];
-        let here = walked[i - first];
-        let parent = match node.parent {
-            NONE => [Rate::default(); 2],
-            parent => walked[parent as usize - first].change,
-        };
-        let (change, given) = unfold(node.kind, &here.link, &here.kept, &here.felt, parent);
-        walked[i - first].change = change;
-        node.impulse = given;
-        move_body(node.body as usize, &here.bone, change, bodies, joined);
+    for i in 0..tree.nodes.len() {
+        let parent = tree.nodes[i].parent;
+        let parent = parent.map_or([Rate::default(); 2], |parent| walked[parent].change);
+        let here = &mut walked[i];
+        let kind = tree.nodes[i].kind;
+        let (change, given) = unfold(kind, &here.link, &here.kept, &here.felt, parent);
+        here.change = change;
+        tree.nodes[i].impulse = given;
+        tree.write(i, &here.bone, change);
     }
 }
 // ANCHOR_END: solve_tree
 
-/// The nodes that hang on a node.
-fn children(node: &Node) -> Range<usize> {
-    let first = node.first_child as usize;
-    if node.children == 0 {
-        0..0
-    } else {
-        first..first + node.children as usize
-    }
-}
-
 /// Takes back from a body what its joints gave it at the start of the substep.
-fn take_back(row: usize, bodies: &mut Bodies, joined: &[Held]) {
-    let turned = bodies.turned_by(row, joined[row].angular);
-    bodies.motion[row].velocity -= joined[row].linear * bodies.spin[row].inverse_mass;
-    bodies.spin[row].angular_velocity -= turned;
-    bodies.momentum[row] -= joined[row].angular;
+#[inline(always)]
+fn take_back<R: Real>(node: &Limb<R>, bone: &mut Bone<R>, joined: &[Held]) {
+    let [linear, angular] = halves(bytemuck::cast_slice(joined), &node.rows);
+    bone.rate.velocity -= linear * node.heft.inverse_mass;
+    bone.rate.spin -= bone.attitude.moment(node.heft.inverse_moments, angular);
 }
 
 /// A node's joint where it is now.
-fn meet(node: &Node, bone: &Bone, bodies: &Bodies, h: f32) -> Link {
+#[inline(always)]
+fn meet<R: Real>(
+    node: &Limb<R>,
+    bone: &Bone<R>,
+    bodies: &Bodies,
+    walked: &[Walked<R>],
+    h: f32,
+) -> Link<R> {
     if node.kind == FREE {
         return Link::default();
     }
-    let parent = bone_of(bodies, node.parent_body);
+    let outside;
+    let parent = if let Some(parent) = node.parent {
+        &walked[parent].bone
+    } else {
+        // What isn't in the tree is static: no joint has given it anything.
+        outside = bone_of(bodies, &node.parent_rows);
+        &outside
+    };
     let second = if node.kind == TWO_RODS {
-        bone_of(bodies, node.second_parent)
+        bone_of(bodies, &node.second_rows)
     } else {
         Bone::default()
     };
-    link_of(node, bone, &parent, &second, h)
+    link_of(node.kind, &node.fitting, bone, parent, &second, h)
 }
 
-/// A body, as its joints see it.
-fn bone_of(bodies: &Bodies, row: u32) -> Bone {
-    let row = row as usize;
+/// Bodies, as their joints see them.
+#[inline(always)]
+fn bone_of<R: Real>(bodies: &Bodies, rows: &[u32]) -> Bone<R> {
+    let [x, y, z, _] = gather::<R>(bytemuck::cast_slice(&bodies.place), rows);
+    let [i, j, k, w] = gather::<R>(bytemuck::cast_slice(&bodies.attitude), rows);
+    let [vx, vy, vz, _] = gather::<R>(bytemuck::cast_slice(&bodies.motion), rows);
+    let [wx, wy, wz, _] = gather::<R>(bytemuck::cast_slice(&bodies.spin), rows);
+    let [push, push_spin] = halves(bytemuck::cast_slice(&bodies.push), rows);
     Bone {
-        position: bodies.place[row].position,
-        attitude: bodies.attitude[row],
+        position: Vec3::new(x, y, z),
+        attitude: Quat {
+            v: Vec3::new(i, j, k),
+            w,
+        },
         rate: Rate {
-            velocity: bodies.motion[row].velocity,
-            spin: bodies.spin[row].angular_velocity,
+            velocity: Vec3::new(vx, vy, vz),
+            spin: Vec3::new(wx, wy, wz),
         },
         push: Rate {
-            velocity: bodies.push[row].velocity,
-            spin: bodies.push[row].angular_velocity,
+            velocity: push,
+            spin: push_spin,
         },
-        inverse_mass: bodies.spin[row].inverse_mass,
-        inverse_inertia: bodies.solid[row].inverse_inertia,
     }
 }
 
+/// Two vectors of a row, each with a spare number behind it.
+#[inline(always)]
+fn halves<R: Real>(table: &[[[f32; 4]; 2]], rows: &[u32]) -> [Vec3<R>; 2] {
+    [0, 1].map(|half| {
+        let [x, y, z, _] = R::of_rows(|lane| table[rows[lane] as usize][half]);
+        Vec3::new(x, y, z)
+    })
+}
+
 /// A body before anything is folded into it.
+#[inline(always)]
 #[must_use]
-pub fn stands(node: &Node, bone: &Bone, link: &Link, h: f32) -> Carried {
-    let alone = Articulated::of_body(bone.inverse_mass, bone.inverse_inertia, bone.attitude);
+pub fn stands<R: Real>(node: &Limb<R>, bone: &Bone<R>, link: &Link<R>, h: f32) -> Carried<R> {
+    let alone = Articulated::of_body(node.heft.mass, node.heft.moments, bone.attitude);
     Carried {
         articulated: stiffened(alone, link.arm, node.impulse, h),
         ..Carried::default()
@@ -169,8 +176,9 @@ pub fn stands(node: &Node, bone: &Bone, link: &Link, h: f32) -> Carried {
 }
 
 /// What the parent feels, with the stiffness that the pull of the joint gives the parent.
+#[inline(always)]
 #[must_use]
-pub fn pulled(node: &Node, link: &Link, felt: Carried, h: f32) -> Carried {
+pub fn pulled<R: Real>(node: &Limb<R>, link: &Link<R>, felt: Carried<R>, h: f32) -> Carried<R> {
     Carried {
         articulated: stiffened(felt.articulated, link.parent_arm, -node.impulse, h),
         ..felt
@@ -185,10 +193,17 @@ pub fn pulled(node: &Node, link: &Link, felt: Carried, h: f32) -> Carried {
 /// to √(12 F/(m l)) rad/s, and a substep that only looks at where they are blows them up when h²K/I
 /// passes 4. With ¼ h²K more of inertia it never does: that is the trapezoidal rule. It changes nothing
 /// but how fast the fastest of them swing. [Tournier, Nesme, Gilles and Faure 2015]
+#[inline(always)]
 #[must_use]
-pub fn stiffened(body: Articulated, arm: Vec3, impulse: Vec3, h: f32) -> Articulated {
-    let pull = (PULL_SHARE * h) * arm.dot(impulse).max(0.0);
-    let along = Symmetric::outer(arm).scaled(-pull / arm.length_squared().max(SMALL));
+pub fn stiffened<R: Real>(
+    body: Articulated<R>,
+    arm: Vec3<R>,
+    impulse: Vec3<R>,
+    h: f32,
+) -> Articulated<R> {
+    let pull = arm.dot(impulse).max(R::splat(0.0)) * R::splat(PULL_SHARE * h);
+    let along = -pull / arm.length_squared().max(R::splat(SMALL));
+    let along = Symmetric::outer(arm).scaled(along);
     Articulated {
         inertia: body.inertia.plus(Symmetric::splat(pull)).plus(along),
         ..body
@@ -199,15 +214,12 @@ pub fn stiffened(body: Articulated, arm: Vec3, impulse: Vec3, h: f32) -> Articul
 /// Below this the square of an arm is none.
 const SMALL: f32 = 1e-12;
 
-/// Changes a body's velocities and pushes, and says with what its joints hold it: with what changed its
-/// velocities.
-fn move_body(row: usize, bone: &Bone, change: [Rate; 2], bodies: &mut Bodies, joined: &mut [Held]) {
-    let [moved, pushed] = change;
-    bodies.motion[row].velocity += moved.velocity;
-    bodies.spin[row].angular_velocity += moved.spin;
-    bodies.push[row].velocity += pushed.velocity;
-    bodies.push[row].angular_velocity += pushed.spin;
-    joined[row].linear = moved.velocity / bone.inverse_mass;
-    joined[row].angular = rotation::moment(bone.attitude, bone.inverse_inertia.recip(), moved.spin);
-    bodies.momentum[row] += joined[row].angular;
+/// The nodes that hang on a node.
+fn children(node: &Node) -> Range<usize> {
+    let first = node.first_child as usize;
+    if node.children == 0 {
+        0..0
+    } else {
+        first..first + node.children as usize
+    }
 }

@@ -186,3 +186,61 @@ impl<R: Real> Symmetric<R> {
     }
     // ANCHOR_END: inverse
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn vector(x: f32, y: f32, z: f32) -> Vec3<f32> {
+        Vec3::new(x, y, z)
+    }
+
+    fn some() -> Symmetric<f32> {
+        Symmetric {
+            diagonal: vector(4.0, 3.0, 2.0),
+            off: vector(0.5, -0.25, 1.0),
+        }
+    }
+
+    fn units() -> [Vec3<f32>; 3] {
+        glam::Vec3::AXES.map(Vec3::from)
+    }
+
+    #[test]
+    fn the_inverse_times_the_matrix_is_one() {
+        let inverse = some().inverse(1e-3);
+        for unit in units() {
+            let back = inverse.times(some().times(unit));
+            assert!((back - unit).length() < 1e-6, "{back:?}");
+        }
+    }
+
+    #[test]
+    fn the_columns_are_what_the_unit_vectors_become() {
+        for (unit, column) in units().into_iter().zip(some().columns()) {
+            assert_eq!(some().times(unit), column);
+        }
+    }
+
+    #[test]
+    fn outer_products_are_those_of_full_matrices() {
+        let (u, v) = (vector(1.0, 2.0, 3.0), vector(-1.0, 0.5, 2.0));
+        let w = vector(0.3, -2.0, 1.0);
+        let one = Symmetric::outer(u).times(w);
+        assert!((one - u * u.dot(w)).length() < 1e-5, "{one:?}");
+        let two = Symmetric::outer_pair(u, v).times(w);
+        let exact = u * v.dot(w) + v * u.dot(w);
+        assert!((two - exact).length() < 1e-5, "{two:?}");
+    }
+
+    #[test]
+    fn a_matrix_that_rounding_left_indefinite_has_an_inverse_all_the_same() {
+        // Two equal rows: its least eigenvalue was 1e-6 and is lost.
+        let spoiled = Symmetric {
+            diagonal: vector(10.0, 10.0, 1.0),
+            off: vector(0.0, 0.0, 10.000_001),
+        };
+        let diagonal = spoiled.inverse(1e-6).diagonal.lane(0);
+        assert!(diagonal.min_element() > 0.0, "{diagonal}");
+    }
+}

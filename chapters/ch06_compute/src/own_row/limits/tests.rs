@@ -1,22 +1,41 @@
 //! Single limits, whose answers are known.
 
 use ch00_scenes::{Body, Shape};
-use glam::Mat3;
+use glam::{Quat, Vec3};
 
-use super::*;
+use super::{Bounds, Limit, Side, Symmetric, Turning};
+use super::{CONE_TWIST, EULER, FASTEST_TURN, FREE_ANGLE};
+use super::{DQuat, DVec3, Joint, Scene, limit_of, turns};
+use crate::rows::Turned;
 
 /// A body of 1 kg and 1 kg m², or a static one, that turns.
-fn side(attitude: Quat, spin: Vec3, is_static: bool) -> Side {
+fn side(attitude: Quat, spin: Vec3, is_static: bool) -> Side<f32> {
     let answer = if is_static { 0.0 } else { 1.0 };
     Side {
-        position: Vec3::ZERO,
-        attitude,
-        velocity: Vec3::ZERO,
-        angular_velocity: spin,
+        attitude: attitude.into(),
+        angular_velocity: spin.into(),
         inverse_mass: answer,
         shared_mass: answer,
-        shared_inertia: Mat3::from_diagonal(Vec3::splat(answer)),
-        before: crate::rows::Seen::default(),
+        shared_inertia: Symmetric::splat(answer),
+        ..Side::default()
+    }
+}
+
+/// A substep of a limit in a lane by itself.
+fn solve_limit(limit: &mut Limit, before: &Turned, sides: [Side<f32>; 2], h: f32) -> Turned {
+    let mut bounds = Bounds::of(|_| &*limit);
+    let before = Turning {
+        turning: before.turning.into(),
+        push: before.push.into(),
+        counts: before.counts,
+    };
+    let turned = super::solve_limit(&mut bounds, &before, sides, h);
+    limit.impulses = bounds.impulses.lane(0);
+    Turned {
+        turning: turned.turning.lane(0),
+        push: turned.push.lane(0),
+        counts: turned.counts,
+        ..Turned::default()
     }
 }
 
@@ -197,17 +216,22 @@ fn a_range_of_a_hinge_is_a_twist_about_its_axis() {
         range: Some([-0.5, 1.0]),
     }];
     let limit = limit_of(&scene, 0).expect("a range");
+    let bounds = Bounds::<f32>::of(|_| &limit);
     let attitude = |body: usize| scene.bodies[body].orientation;
     for (angle, room, side) in [(0.9, 0.1, -1.0), (-0.4, 0.1, 1.0), (1.2, -0.2, -1.0)] {
         let turned = DQuat::from_axis_angle(axis, angle) * attitude(1);
-        let turns = turns(&limit, attitude(0).as_quat(), turned.as_quat());
+        let turns = turns(
+            &bounds,
+            attitude(0).as_quat().into(),
+            turned.as_quat().into(),
+        );
         assert_eq!(turns[1].side, side);
         assert!(
             (turns[1].room - room).abs() < 1e-5,
             "{angle}: {}",
             turns[1].room
         );
-        assert_near(turns[1].axis, axis.as_vec3());
+        assert_near(turns[1].axis.lane(0), axis.as_vec3());
         assert_eq!((turns[0].side, turns[2].side), (0.0, 0.0));
     }
 }

@@ -3,44 +3,54 @@
 //! A velocity is a pair (v, ω) at some point, an impulse a pair (P, T) about it, and the inertia the
 //! symmetric 6 × 6 matrix with P = A v + Cᵀ ω, T = C v + D ω, in three blocks of 3 × 3.
 
-use glam::{Mat3, Quat, Vec3};
-
-use super::Symmetric;
+use crate::simd::{Mat3, Quat, Real, Symmetric, Vec3};
 
 // ANCHOR: rate
 /// How a body moves, or by how much a solve changes that.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Rate {
+pub struct Rate<R> {
     /// Velocity of the point that it is taken at, m/s.
-    pub velocity: Vec3,
+    pub velocity: Vec3<R>,
     /// Angular velocity, rad/s.
-    pub spin: Vec3,
+    pub spin: Vec3<R>,
 }
 
 /// What moves a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Wrench {
+pub struct Wrench<R> {
     /// Impulse, N s.
-    pub impulse: Vec3,
+    pub impulse: Vec3<R>,
     /// Turning impulse about the point that it is taken at, N m s.
-    pub turning: Vec3,
+    pub turning: Vec3<R>,
 }
 
-impl Rate {
+impl<R: Real> Rate<R> {
     /// The same motion, taken at the point that is `arm` away.
+    #[inline(always)]
     #[must_use]
-    pub fn at(self, arm: Vec3) -> Self {
+    pub fn at(self, arm: Vec3<R>) -> Self {
         Self {
             velocity: self.velocity + self.spin.cross(arm),
             spin: self.spin,
         }
     }
+
+    /// The sum of both.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            velocity: self.velocity + other.velocity,
+            spin: self.spin + other.spin,
+        }
+    }
 }
 
-impl Wrench {
+impl<R: Real> Wrench<R> {
     /// The same impulse, taken about the point that is `arm` away.
+    #[inline(always)]
     #[must_use]
-    pub fn at(self, arm: Vec3) -> Self {
+    pub fn at(self, arm: Vec3<R>) -> Self {
         Self {
             impulse: self.impulse,
             turning: self.turning - arm.cross(self.impulse),
@@ -48,6 +58,7 @@ impl Wrench {
     }
 
     /// The sum of both.
+    #[inline(always)]
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self {
@@ -57,6 +68,7 @@ impl Wrench {
     }
 
     /// What is left without the other.
+    #[inline(always)]
     #[must_use]
     pub fn minus(self, other: Self) -> Self {
         Self {
@@ -69,40 +81,31 @@ impl Wrench {
 
 // ANCHOR: articulated
 /// A body's inertia with that of all that hangs on it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Articulated {
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Articulated<R> {
     /// A: the impulse that goes with a velocity, kg.
-    pub mass: Symmetric,
+    pub mass: Symmetric<R>,
     /// C: the turning impulse that goes with a velocity, kg m; a column an axis.
-    pub coupling: Mat3,
+    pub coupling: Mat3<R>,
     /// D: the turning impulse that goes with an angular velocity, kg m².
-    pub inertia: Symmetric,
+    pub inertia: Symmetric<R>,
 }
 // ANCHOR_END: articulated
 
-impl Default for Articulated {
-    /// None: glam's default matrix is one.
-    fn default() -> Self {
-        Self {
-            mass: Symmetric::default(),
-            coupling: Mat3::ZERO,
-            inertia: Symmetric::default(),
-        }
-    }
-}
-
-impl Articulated {
-    /// That of a body alone, at its centre of mass.
+impl<R: Real> Articulated<R> {
+    /// That of a body alone, of this mass, kg, and these principal moments, kg m², at its centre of mass.
+    #[inline(always)]
     #[must_use]
-    pub fn of_body(inverse_mass: f32, inverse_inertia: Vec3, attitude: Quat) -> Self {
+    pub fn of_body(mass: R, moments: Vec3<R>, attitude: Quat<R>) -> Self {
         Self {
-            mass: Symmetric::splat(1.0 / inverse_mass),
-            coupling: Mat3::ZERO,
-            inertia: world_moments(attitude, inverse_inertia.recip()),
+            mass: Symmetric::splat(mass),
+            coupling: Mat3::default(),
+            inertia: Symmetric::turned(attitude.matrix(), moments),
         }
     }
 
     /// The sum of both, which are taken at the same point.
+    #[inline(always)]
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self {
@@ -116,8 +119,9 @@ impl Articulated {
     /// The same inertia, taken at the point that is r away, where the velocity is v' = v + ω × r.
     ///
     /// With v = v' + [r] ω: A' = A, C' = C − [r] A, D' = D + (C [r])ᵀ + C' [r].
+    #[inline(always)]
     #[must_use]
-    pub fn at(self, r: Vec3) -> Self {
+    pub fn at(self, r: Vec3<R>) -> Self {
         let [x, y, z] = self.mass.columns().map(|column| column.cross(r));
         let coupling = self.coupling + Mat3::from_cols(x, y, z);
         let turned = times_crossing(self.coupling, r);
@@ -135,66 +139,46 @@ impl Articulated {
     // ANCHOR: felt_at
     /// What is felt at the point that is s away from where only `mass` is felt: [`Self::at`] for −s,
     /// with C = D = 0.
+    #[inline(always)]
     #[must_use]
-    pub fn felt_at(mass: Symmetric, s: Vec3) -> Self {
+    pub fn felt_at(mass: Symmetric<R>, s: Vec3<R>) -> Self {
         let [x, y, z] = mass.columns().map(|column| s.cross(column));
         let coupling = Mat3::from_cols(x, y, z);
         Self {
             mass,
             coupling,
-            inertia: symmetric_part(Mat3::ZERO, times_crossing(coupling, -s)),
+            inertia: symmetric_part(Mat3::default(), times_crossing(coupling, -s)),
         }
     }
     // ANCHOR_END: felt_at
 
     /// The impulses that go with a motion.
+    #[inline(always)]
     #[must_use]
-    pub fn times(self, rate: Rate) -> Wrench {
+    pub fn times(self, rate: Rate<R>) -> Wrench<R> {
         Wrench {
-            impulse: self.mass.times(rate.velocity) + transposed_times(self.coupling, rate.spin),
+            impulse: self.mass.times(rate.velocity) + self.coupling.transposed_times(rate.spin),
             turning: self.coupling * rate.velocity + self.inertia.times(rate.spin),
         }
     }
 }
 
-/// R diag(I) Rᵀ: principal moments in world axes.
-#[must_use]
-pub fn world_moments(attitude: Quat, moments: Vec3) -> Symmetric {
-    let axes = Mat3::from_quat(attitude);
-    let along = |axis: Vec3, moment: f32| Symmetric::outer(axis).scaled(moment);
-    along(axes.x_axis, moments.x)
-        .plus(along(axes.y_axis, moments.y))
-        .plus(along(axes.z_axis, moments.z))
-}
-
-/// Mᵀ v: what v is along the columns.
-#[must_use]
-pub fn transposed_times(m: Mat3, v: Vec3) -> Vec3 {
-    Vec3::new(m.x_axis.dot(v), m.y_axis.dot(v), m.z_axis.dot(v))
-}
-
 /// M [r], with [r] the matrix of r × .
-fn times_crossing(m: Mat3, r: Vec3) -> Mat3 {
+#[inline(always)]
+fn times_crossing<R: Real>(m: Mat3<R>, r: Vec3<R>) -> Mat3<R> {
     Mat3::from_cols(
-        r.z * m.y_axis - r.y * m.z_axis,
-        r.x * m.z_axis - r.z * m.x_axis,
-        r.y * m.x_axis - r.x * m.y_axis,
+        m.y * r.z - m.z * r.y,
+        m.z * r.x - m.x * r.z,
+        m.x * r.y - m.y * r.x,
     )
 }
 
 /// Mᵀ + N, which is symmetric.
-fn symmetric_part(m: Mat3, n: Mat3) -> Symmetric {
+#[inline(always)]
+fn symmetric_part<R: Real>(m: Mat3<R>, n: Mat3<R>) -> Symmetric<R> {
     Symmetric {
-        diagonal: Vec3::new(
-            m.x_axis.x + n.x_axis.x,
-            m.y_axis.y + n.y_axis.y,
-            m.z_axis.z + n.z_axis.z,
-        ),
-        off: Vec3::new(
-            m.y_axis.z + n.z_axis.y,
-            m.z_axis.x + n.x_axis.z,
-            m.x_axis.y + n.y_axis.x,
-        ),
+        diagonal: Vec3::new(m.x.x + n.x.x, m.y.y + n.y.y, m.z.z + n.z.z),
+        off: Vec3::new(m.y.z + n.z.y, m.z.x + n.x.z, m.x.y + n.y.x),
     }
 }
 
@@ -202,26 +186,35 @@ fn symmetric_part(m: Mat3, n: Mat3) -> Symmetric {
 mod tests {
     use super::*;
 
-    fn body() -> Articulated {
-        let attitude = Quat::from_xyzw(0.5, -0.5, 0.1, 0.7).normalize();
-        let at_centre = Articulated::of_body(0.5, Vec3::new(2.0, 5.0, 9.0), attitude);
+    fn vector(x: f32, y: f32, z: f32) -> Vec3<f32> {
+        Vec3::new(x, y, z)
+    }
+
+    fn body() -> Articulated<f32> {
+        let attitude = glam::Quat::from_xyzw(0.5, -0.5, 0.1, 0.7).normalize();
+        let moments = vector(0.5, 0.2, 1.0 / 9.0);
+        let at_centre = Articulated::of_body(2.0, moments, attitude.into());
         // No body is like this; but one with others that hang on it may be.
         Articulated {
             mass: Symmetric {
-                off: Vec3::new(0.1, -0.2, 0.3),
+                off: vector(0.1, -0.2, 0.3),
                 ..at_centre.mass
             },
-            coupling: Mat3::from_cols_array(&[0.1, 0.2, -0.1, 0.0, 0.3, 0.1, -0.2, 0.1, 0.05]),
+            coupling: Mat3::from_cols(
+                vector(0.1, 0.2, -0.1),
+                vector(0.0, 0.3, 0.1),
+                vector(-0.2, 0.1, 0.05),
+            ),
             ..at_centre
         }
     }
 
     #[test]
     fn an_inertia_taken_elsewhere_gives_the_same_motion_the_same_impulse() {
-        let arm = Vec3::new(0.3, -0.7, 0.2);
+        let arm = vector(0.3, -0.7, 0.2);
         let rate = Rate {
-            velocity: Vec3::new(1.0, -2.0, 0.5),
-            spin: Vec3::new(0.4, 0.3, -1.0),
+            velocity: vector(1.0, -2.0, 0.5),
+            spin: vector(0.4, 0.3, -1.0),
         };
         let here = body().times(rate).at(arm);
         let there = body().at(arm).times(rate.at(arm));
@@ -237,7 +230,7 @@ mod tests {
 
     #[test]
     fn a_mass_felt_at_a_point_is_an_inertia_without_moments_taken_elsewhere() {
-        let arm = Vec3::new(0.3, -0.7, 0.2);
+        let arm = vector(0.3, -0.7, 0.2);
         let mass = body().mass;
         let there = Articulated {
             mass,

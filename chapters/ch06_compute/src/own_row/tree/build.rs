@@ -5,12 +5,11 @@ use std::ops::Range;
 use ch00_scenes::Scene;
 use glam::{DVec3, Vec3};
 
+use super::TreeError;
 use super::graph::{Forest, Place};
 use super::merge::Bond;
-use super::{TreeError, Walked, solve_tree};
-use crate::bodies::Bodies;
 use crate::own_row::limits::limit_of;
-use crate::rows::{EMPTY, FREE, Held, Limit, NONE, Node};
+use crate::rows::{EMPTY, FREE, Limit, NONE, Node};
 
 /// Nodes that a workgroup solves, an invocation each. A tree lies in one workgroup.
 pub const WORKGROUP: usize = 64;
@@ -26,13 +25,12 @@ pub struct Trees {
     pub trees: Vec<Range<usize>>,
     /// Joints that close loops, each a row by itself: b is the body, a the parent.
     pub loops: Vec<Node>,
-    /// Angle limits.
+    /// Angle limits: those of one kind lie together, in the order of the scene.
     pub limits: Vec<Limit>,
     /// The loops of each body.
     pub loop_ends: Ends,
     /// The limits of each body.
     pub limit_ends: Ends,
-    walked: Vec<Walked>,
 }
 // ANCHOR_END: trees
 
@@ -100,6 +98,7 @@ impl Trees {
         for bond in bonds.filter_map(|place| place.bond.as_ref()) {
             trees.pin_limits(bond);
         }
+        trees.limits.sort_by_key(|limit| limit.kind);
         let bodies = scene.bodies.len();
         let of_loops = trees.loops.iter().map(|node| (node.parent_body, node.body));
         trees.loop_ends = Ends::of(bodies, &of_loops.collect::<Vec<_>>());
@@ -217,20 +216,6 @@ impl Trees {
         }
         for limit in &mut self.limits {
             limit.impulses = Vec3::ZERO;
-        }
-    }
-
-    /// Solves all trees, one after the other.
-    pub fn solve(&mut self, bodies: &mut Bodies, joined: &mut [Held], h: f32) {
-        for tree in &self.trees {
-            solve_tree(
-                &mut self.nodes,
-                tree.clone(),
-                bodies,
-                joined,
-                &mut self.walked,
-                h,
-            );
         }
     }
 }

@@ -5,11 +5,9 @@
 //! each child follows its parent. Together this is block LDLᵀ of the system of all joints of the tree,
 //! without fill-in since a child has one parent, in as many steps as the tree has levels.
 
-use glam::{Mat3, Vec3};
-
-use super::articulated::transposed_times;
-use super::{Articulated, Bone, Link, Rate, Symmetric, Wrench};
+use super::{Articulated, Heft, Link, Rate, Wrench};
 use crate::rows::{HINGE, PIN, ROD, TWO_RODS};
+use crate::simd::{Mat3, Real, Symmetric, Vec3};
 
 /// Below this a reply is none.
 const SMALL: f32 = 1e-12;
@@ -22,16 +20,17 @@ const LEAST_SINE2: f32 = 1e-4;
 /// What a body and all that hangs on it answer, and what moves them: first for the velocities, then for
 /// the pushes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Carried {
+pub struct Carried<R> {
     /// How they answer.
-    pub articulated: Articulated,
+    pub articulated: Articulated<R>,
     /// What moves them.
-    pub wrench: [Wrench; 2],
+    pub wrench: [Wrench<R>; 2],
 }
 // ANCHOR_END: carried
 
-impl Carried {
+impl<R: Real> Carried<R> {
     /// The sum of both, which are taken at the same point.
+    #[inline(always)]
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self {
@@ -47,32 +46,38 @@ impl Carried {
 // ANCHOR: kept
 /// What a node keeps from the way up for the way down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Kept {
+pub struct Kept<R> {
     /// What the joint's motion makes of the body's spin: Δω = rest − gain · Δv_c. Of a hinge the columns
     /// are what velocity and spin make of its turn, and its axis.
-    pub gain: Mat3,
+    pub gain: Mat3<R>,
     /// The body's spin while the joint's point stays; of a hinge x is its turn.
-    pub rest: [Vec3; 2],
+    pub rest: [Vec3<R>; 2],
     /// K⁻¹: how the joint's point yields, for joints that leave it free in some direction.
-    pub give: Symmetric,
+    pub give: Symmetric<R>,
     /// How the joint's point moves if nothing holds it.
-    pub free: [Vec3; 2],
+    pub free: [Vec3<R>; 2],
 }
 // ANCHOR_END: kept
 
 // ANCHOR: fold
 /// On the way up: folds a body, with all that was folded into it, into its joint. Gives what it keeps
 /// for the way down, and what the parent feels, about the parent's centre.
+#[inline(always)]
 #[must_use]
-pub fn fold(kind: u32, link: &Link, bone: &Bone, body: &Carried) -> (Kept, Carried) {
+pub fn fold<R: Real>(
+    kind: u32,
+    link: &Link<R>,
+    heft: &Heft<R>,
+    body: &Carried<R>,
+) -> (Kept<R>, Carried<R>) {
     let at_joint = Carried {
         articulated: body.articulated.at(link.arm),
         wrench: body.wrench.map(|wrench| wrench.at(link.arm)),
     };
     let (kept, felt) = if kind == HINGE {
-        fold_hinge(link, bone, &at_joint)
+        fold_hinge(link, heft, &at_joint)
     } else {
-        fold_point(kind, link, bone, &at_joint)
+        fold_point(kind, link, heft, &at_joint)
     };
     let wrench = felt.wrench.map(|wrench| wrench.at(-link.parent_arm));
     (kept, Carried { wrench, ..felt })
@@ -83,23 +88,28 @@ pub fn fold(kind: u32, link: &Link, bone: &Bone, body: &Carried) -> (Kept, Carri
 // ANCHOR: felt_mass
 /// A joint about whose point the body turns freely: it gives way until no turning impulse is left. What
 /// is felt at the point is the mass K = A − Cᵀ D⁻¹ C.
-fn fold_point(kind: u32, link: &Link, bone: &Bone, at_joint: &Carried) -> (Kept, Carried) {
+#[inline(always)]
+fn fold_point<R: Real>(
+    kind: u32,
+    link: &Link<R>,
+    heft: &Heft<R>,
+    at_joint: &Carried<R>,
+) -> (Kept<R>, Carried<R>) {
     let Articulated {
         mass,
         coupling,
         inertia,
     } = at_joint.articulated;
-    let stiffest = bone.inverse_inertia.max_element();
-    let turns = inertia.inverse(1.0 / stiffest);
+    let turns = inertia.inverse(heft.least);
     let gain = Mat3::from_cols(
-        turns.times(coupling.x_axis),
-        turns.times(coupling.y_axis),
-        turns.times(coupling.z_axis),
+        turns.times(coupling.x),
+        turns.times(coupling.y),
+        turns.times(coupling.z),
     );
     let felt = less_product(mass, gain, coupling);
     let impulse = at_joint
         .wrench
-        .map(|wrench| wrench.impulse - transposed_times(gain, wrench.turning));
+        .map(|wrench| wrench.impulse - gain.transposed_times(wrench.turning));
     let mut kept = Kept {
         gain,
         rest: at_joint.wrench.map(|wrench| turns.times(wrench.turning)),
@@ -109,7 +119,8 @@ fn fold_point(kind: u32, link: &Link, bone: &Bone, at_joint: &Carried) -> (Kept,
         let lacks = |k: usize| impulse[k] - felt.times(link.wanted[k].velocity);
         return (kept, felt_at(felt, [lacks(0), lacks(1)], link));
     }
-    kept.give = felt.inverse(1.0 / (bone.inverse_mass + link.arm.length_squared() * stiffest));
+    let stiffest = heft.inverse_mass + link.arm.length_squared() * heft.stiffest;
+    kept.give = felt.inverse(stiffest.recip());
     kept.free = impulse.map(|impulse| kept.give.times(impulse));
     let carried = match kind {
         ROD | TWO_RODS => fold_rods(kind, link, &kept),
@@ -120,30 +131,22 @@ fn fold_point(kind: u32, link: &Link, bone: &Bone, at_joint: &Carried) -> (Kept,
 // ANCHOR_END: felt_mass
 
 /// A − Gᵀ C where that is symmetric.
-fn less_product(a: Symmetric, g: Mat3, c: Mat3) -> Symmetric {
+#[inline(always)]
+fn less_product<R: Real>(a: Symmetric<R>, g: Mat3<R>, c: Mat3<R>) -> Symmetric<R> {
     Symmetric {
-        diagonal: a.diagonal
-            - Vec3::new(
-                g.x_axis.dot(c.x_axis),
-                g.y_axis.dot(c.y_axis),
-                g.z_axis.dot(c.z_axis),
-            ),
-        off: a.off
-            - Vec3::new(
-                g.y_axis.dot(c.z_axis),
-                g.z_axis.dot(c.x_axis),
-                g.x_axis.dot(c.y_axis),
-            ),
+        diagonal: a.diagonal - Vec3::new(g.x.dot(c.x), g.y.dot(c.y), g.z.dot(c.z)),
+        off: a.off - Vec3::new(g.y.dot(c.z), g.z.dot(c.x), g.x.dot(c.y)),
     }
 }
 
 /// What the parent feels where a mass is felt at the joint's point. The impulses stay about that point.
-fn felt_at(mass: Symmetric, impulse: [Vec3; 2], link: &Link) -> Carried {
+#[inline(always)]
+fn felt_at<R: Real>(mass: Symmetric<R>, impulse: [Vec3<R>; 2], link: &Link<R>) -> Carried<R> {
     Carried {
         articulated: Articulated::felt_at(mass, link.parent_arm),
         wrench: impulse.map(|impulse| Wrench {
             impulse,
-            turning: Vec3::ZERO,
+            turning: Vec3::zero(),
         }),
     }
 }
@@ -152,19 +155,24 @@ fn felt_at(mass: Symmetric, impulse: [Vec3; 2], link: &Link) -> Carried {
 // ANCHOR: fold_rods
 /// One or two rods, of which the parent feels what acts along them: with U their directions the mass
 /// U κ Uᵀ, κ = (Uᵀ K⁻¹ U)⁻¹.
-fn fold_rods(kind: u32, link: &Link, kept: &Kept) -> Carried {
+#[inline(always)]
+fn fold_rods<R: Real>(kind: u32, link: &Link<R>, kept: &Kept<R>) -> Carried<R> {
+    let small = R::splat(SMALL);
     let (u1, u2) = (link.along, link.second);
     let n1 = kept.give.times(u1);
-    let reply = u1.dot(n1).max(SMALL);
-    let lacks = |k: usize, u: Vec3, wanted: f32| u.dot(kept.free[k]) - wanted;
+    let reply = u1.dot(n1).max(small);
+    let lacks = |k: usize, u: Vec3<R>, wanted: R| u.dot(kept.free[k]) - wanted;
     let first = [0, 1].map(|k| lacks(k, u1, link.wanted[k].velocity.x));
     if kind == ROD {
-        let mass = Symmetric::outer(u1).scaled(1.0 / reply);
-        return felt_at(mass, first.map(|lacks| u1 * (lacks / reply)), link);
+        let sharing = reply.recip();
+        let mass = Symmetric::outer(u1).scaled(sharing);
+        return felt_at(mass, first.map(|lacks| u1 * (lacks * sharing)), link);
     }
     let n2 = kept.give.times(u2);
-    let (both, other) = (u1.dot(n2), u2.dot(n2).max(SMALL));
-    let sharing = 1.0 / (reply * other - both * both).max(LEAST_SINE2 * reply * other);
+    let (both, other) = (u1.dot(n2), u2.dot(n2).max(small));
+    let alone = reply * other;
+    let least = alone * R::splat(LEAST_SINE2);
+    let sharing = (alone - both * both).max(least).recip();
     let mass = Symmetric::outer(u1)
         .scaled(other)
         .plus(Symmetric::outer(u2).scaled(reply))
@@ -181,7 +189,12 @@ fn fold_rods(kind: u32, link: &Link, kept: &Kept) -> Carried {
 
 // ANCHOR: fold_hinge
 /// A hinge: the body gives way about its axis alone, until no turning impulse is left along that.
-fn fold_hinge(link: &Link, bone: &Bone, at_joint: &Carried) -> (Kept, Carried) {
+#[inline(always)]
+fn fold_hinge<R: Real>(
+    link: &Link<R>,
+    heft: &Heft<R>,
+    at_joint: &Carried<R>,
+) -> (Kept<R>, Carried<R>) {
     let Articulated {
         mass,
         coupling,
@@ -189,29 +202,29 @@ fn fold_hinge(link: &Link, bone: &Bone, at_joint: &Carried) -> (Kept, Carried) {
     } = at_joint.articulated;
     let axis = link.along;
     let turning = inertia.times(axis);
-    let moving = transposed_times(coupling, axis);
-    let least = 1.0 / bone.inverse_inertia.max_element();
-    let reply = 1.0 / axis.dot(turning).max(least);
+    let moving = coupling.transposed_times(axis);
+    let reply = axis.dot(turning).max(heft.least).recip();
+    let given = turning * reply;
     let felt = Articulated {
         mass: mass.plus(Symmetric::outer(moving).scaled(-reply)),
         coupling: coupling
-            - Mat3::from_cols(turning * moving.x, turning * moving.y, turning * moving.z) * reply,
+            + Mat3::from_cols(given * -moving.x, given * -moving.y, given * -moving.z),
         inertia: inertia.plus(Symmetric::outer(turning).scaled(-reply)),
     };
     let turns = at_joint
         .wrench
-        .map(|wrench| reply * axis.dot(wrench.turning));
+        .map(|wrench| axis.dot(wrench.turning) * reply);
     let lacks = |k: usize| {
-        let given = Wrench {
+        let yielded = Wrench {
             impulse: moving * turns[k],
             turning: turning * turns[k],
         };
-        let wrench = at_joint.wrench[k].minus(given);
+        let wrench = at_joint.wrench[k].minus(yielded);
         wrench.minus(felt.times(link.wanted[k]))
     };
     let kept = Kept {
-        gain: Mat3::from_cols(moving * reply, turning * reply, axis),
-        rest: turns.map(|turn| Vec3::new(turn, 0.0, 0.0)),
+        gain: Mat3::from_cols(moving * reply, given, axis),
+        rest: turns.map(|turn| Vec3::new(turn, R::splat(0.0), R::splat(0.0))),
         ..Kept::default()
     };
     let carried = Carried {
@@ -225,14 +238,15 @@ fn fold_hinge(link: &Link, bone: &Bone, at_joint: &Carried) -> (Kept, Carried) {
 // ANCHOR: unfold
 /// On the way down: how the body's motion changes, for velocities and pushes, where its parent's does so;
 /// and the impulse at the joint's point that changes its velocity.
+#[inline(always)]
 #[must_use]
-pub fn unfold(
+pub fn unfold<R: Real>(
     kind: u32,
-    link: &Link,
-    kept: &Kept,
-    felt: &Carried,
-    parent: [Rate; 2],
-) -> ([Rate; 2], Vec3) {
+    link: &Link<R>,
+    kept: &Kept<R>,
+    felt: &Carried<R>,
+    parent: [Rate<R>; 2],
+) -> ([Rate<R>; 2], Vec3<R>) {
     let given = [0, 1].map(|k| felt.articulated.times(parent[k]).impulse - felt.wrench[k].impulse);
     let change = [0, 1].map(|k| {
         let here = parent[k].at(link.parent_arm);
@@ -246,17 +260,19 @@ pub fn unfold(
 }
 
 /// The body's motion if its joint's point moves so.
-fn follow_point(link: &Link, kept: &Kept, k: usize, velocity: Vec3) -> Rate {
+#[inline(always)]
+fn follow_point<R: Real>(link: &Link<R>, kept: &Kept<R>, k: usize, velocity: Vec3<R>) -> Rate<R> {
     let spin = kept.rest[k] - kept.gain * velocity;
     Rate { velocity, spin }.at(-link.arm)
 }
 
 /// The body's motion on a hinge if the parent moves so there.
-fn follow_hinge(link: &Link, kept: &Kept, k: usize, here: Rate) -> Rate {
+#[inline(always)]
+fn follow_hinge<R: Real>(link: &Link<R>, kept: &Kept<R>, k: usize, here: Rate<R>) -> Rate<R> {
     let velocity = here.velocity + link.wanted[k].velocity;
     let spin = here.spin + link.wanted[k].spin;
-    let turn = kept.rest[k].x - kept.gain.x_axis.dot(velocity) - kept.gain.y_axis.dot(spin);
-    let spin = spin + turn * kept.gain.z_axis;
+    let turn = kept.rest[k].x - kept.gain.x.dot(velocity) - kept.gain.y.dot(spin);
+    let spin = spin + kept.gain.z * turn;
     Rate { velocity, spin }.at(-link.arm)
 }
 // ANCHOR_END: unfold

@@ -1,9 +1,8 @@
 //! Where a joint is and what it wants: the geometry of a substep.
 
-use glam::{Quat, Vec3};
-
 use super::Rate;
 use crate::rows::{HINGE, Node, PIN, ROD, TWO_RODS};
+use crate::simd::{Quat, Real, Vec3};
 
 /// The share of a gap that a substep closes in any case.
 pub const JOINT_SHARE: f32 = 0.2;
@@ -25,57 +24,94 @@ pub const FASTEST_ALIGNING: f32 = 20.0;
 /// Below this a length, m, or a reply is none.
 const SMALL: f32 = 1e-12;
 
+// ANCHOR: fitting
+/// Where a joint sits in its two bodies: what of a [`Node`] never changes, a joint a lane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Fitting<R> {
+    /// The joint's point, in the body's axes, m.
+    pub anchor: Vec3<R>,
+    /// The joint's point, in the parent's axes, m.
+    pub parent_anchor: Vec3<R>,
+    /// A hinge's unit axis, in the body's axes.
+    pub axis: Vec3<R>,
+    /// A hinge's unit axis, in the parent's axes; where the second rod hangs, in its parent's axes, m.
+    pub parent_axis: Vec3<R>,
+    /// Length of the rod, m.
+    pub length: R,
+    /// Length of the second rod, m.
+    pub second_length: R,
+}
+// ANCHOR_END: fitting
+
+impl<R: Real> Fitting<R> {
+    /// Of the nodes that `node` gives for each lane, which are of one kind.
+    pub fn of<'a>(node: impl Fn(usize) -> &'a Node) -> Self {
+        Self {
+            anchor: Vec3::of(|lane| node(lane).anchor),
+            parent_anchor: Vec3::of(|lane| node(lane).parent_anchor),
+            axis: Vec3::of(|lane| node(lane).axis),
+            parent_axis: Vec3::of(|lane| node(lane).parent_axis),
+            length: R::of(|lane| node(lane).length),
+            second_length: R::of(|lane| node(lane).second_length),
+        }
+    }
+}
+
 // ANCHOR: bone
 /// A body of a tree, as its joints see it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Bone {
+pub struct Bone<R> {
     /// World position, m.
-    pub position: Vec3,
+    pub position: Vec3<R>,
     /// Body to world.
-    pub attitude: Quat,
+    pub attitude: Quat<R>,
     /// How it moves.
-    pub rate: Rate,
+    pub rate: Rate<R>,
     /// How it is pushed.
-    pub push: Rate,
-    /// 1/m.
-    pub inverse_mass: f32,
-    /// In its own axes, 1/(kg m²).
-    pub inverse_inertia: Vec3,
+    pub push: Rate<R>,
 }
 // ANCHOR_END: bone
 
 // ANCHOR: link
 /// A joint where it is now.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Link {
+pub struct Link<R> {
     /// r: from the body's centre to the joint's point c, m.
-    pub arm: Vec3,
+    pub arm: Vec3<R>,
     /// s: from the parent's centre to c, m.
-    pub parent_arm: Vec3,
+    pub parent_arm: Vec3<R>,
     /// A hinge's axis; the direction of a rod.
-    pub along: Vec3,
+    pub along: Vec3<R>,
     /// The direction of the second rod.
-    pub second: Vec3,
+    pub second: Vec3<R>,
     /// What the joint wants the relative motion at c to change by: first of the velocities, then of the
     /// pushes. Rods want speeds along them: x of the first, y of the second.
-    pub wanted: [Rate; 2],
+    pub wanted: [Rate<R>; 2],
 }
 // ANCHOR_END: link
 
 // ANCHOR: link_of
-/// The joint of a node between bodies where they are now. `second` is what the second of two rods hangs
-/// on.
+/// The joints of this kind between bodies where they are now. `second` is what the second of two rods
+/// hangs on.
+#[inline(always)]
 #[must_use]
-pub fn link_of(node: &Node, child: &Bone, parent: &Bone, second: &Bone, h: f32) -> Link {
-    match node.kind {
+pub fn link_of<R: Real>(
+    kind: u32,
+    joint: &Fitting<R>,
+    child: &Bone<R>,
+    parent: &Bone<R>,
+    second: &Bone<R>,
+    h: f32,
+) -> Link<R> {
+    match kind {
         PIN | HINGE => {
-            let mut link = pinned(node, child, parent, h);
-            if node.kind == HINGE {
-                align(&mut link, node, child, parent, h);
+            let mut link = pinned(joint, child, parent, h);
+            if kind == HINGE {
+                align(&mut link, joint, child, parent, h);
             }
             link
         }
-        ROD | TWO_RODS => rods(node, child, parent, second, h),
+        ROD | TWO_RODS => rods(kind, joint, child, parent, second, h),
         _ => Link::default(),
     }
 }
@@ -85,20 +121,23 @@ pub fn link_of(node: &Node, child: &Bone, parent: &Bone, second: &Bone, h: f32) 
 /// How fast a gap closes. Joints of a tree are solved together and last, so no blow and no push parts
 /// them; what opens a gap is that the end of a turning arm leaves its circle along the tangent, by
 /// d = ½ h² ω² r in a substep. Where a share s of a gap is closed, d/s of it remains.
-fn closing(gap: Vec3, gentle: f32, fastest: f32, h: f32) -> Vec3 {
-    at_most(gap * (JOINT_SHARE / h) + at_most(gap / h, gentle), fastest)
+#[inline(always)]
+fn closing<R: Real>(gap: Vec3<R>, gentle: f32, fastest: f32, h: f32) -> Vec3<R> {
+    let all = at_most(gap * R::splat(1.0 / h), gentle);
+    at_most(gap * R::splat(JOINT_SHARE / h) + all, fastest)
 }
 // ANCHOR_END: closing
 
 // ANCHOR: pinned
 /// Two points. Impulses act midway between them, or the pair of them would turn both bodies while there
 /// is a gap.
-fn pinned(node: &Node, child: &Bone, parent: &Bone, h: f32) -> Link {
+#[inline(always)]
+fn pinned<R: Real>(joint: &Fitting<R>, child: &Bone<R>, parent: &Bone<R>, h: f32) -> Link<R> {
     let apart = child.position - parent.position;
-    let anchor = child.attitude * node.anchor;
-    let parent_anchor = parent.attitude * node.parent_anchor;
+    let anchor = child.attitude.rotate(joint.anchor);
+    let parent_anchor = parent.attitude.rotate(joint.parent_anchor);
     let gap = apart + anchor - parent_anchor;
-    let arm = anchor - 0.5 * gap;
+    let arm = anchor - gap * R::splat(0.5);
     let mut link = Link {
         arm,
         parent_arm: arm + apart,
@@ -115,23 +154,27 @@ fn pinned(node: &Node, child: &Bone, parent: &Bone, h: f32) -> Link {
 }
 
 /// Ċ: the velocity at c of the child against the parent.
-fn relative(child: Rate, parent: Rate, link: &Link) -> Vec3 {
+#[inline(always)]
+fn relative<R: Real>(child: Rate<R>, parent: Rate<R>, link: &Link<R>) -> Vec3<R> {
     child.at(link.arm).velocity - parent.at(link.parent_arm).velocity
 }
 // ANCHOR_END: pinned
 
 // ANCHOR: align
 /// Two axes. Â_p × Â is, to first order, the turn by which the child's axis has left the parent's.
-fn align(link: &mut Link, node: &Node, child: &Bone, parent: &Bone, h: f32) {
-    let axis = child.attitude * node.axis;
-    let parent_axis = parent.attitude * node.parent_axis;
-    let aligning = closing(
-        parent_axis.cross(axis),
-        GENTLE_ALIGNING,
-        FASTEST_ALIGNING,
-        h,
-    );
-    let across = |v: Vec3| v - axis * axis.dot(v);
+#[inline(always)]
+fn align<R: Real>(
+    link: &mut Link<R>,
+    joint: &Fitting<R>,
+    child: &Bone<R>,
+    parent: &Bone<R>,
+    h: f32,
+) {
+    let axis = child.attitude.rotate(joint.axis);
+    let parent_axis = parent.attitude.rotate(joint.parent_axis);
+    let left = parent_axis.cross(axis);
+    let aligning = closing(left, GENTLE_ALIGNING, FASTEST_ALIGNING, h);
+    let across = |v: Vec3<R>| v - axis * axis.dot(v);
     link.along = axis;
     link.wanted[0].spin = across(parent.rate.spin - child.rate.spin) - aligning;
     link.wanted[1].spin = across(parent.push.spin - child.push.spin);
@@ -141,19 +184,28 @@ fn align(link: &mut Link, node: &Node, child: &Bone, parent: &Bone, h: f32) {
 // ANCHOR: rods
 /// One or two distances from the child's point, which is c: a rod's impulse acts along it, so it may be
 /// taken at either end.
-fn rods(node: &Node, child: &Bone, parent: &Bone, second: &Bone, h: f32) -> Link {
-    let arm = child.attitude * node.anchor;
+#[inline(always)]
+fn rods<R: Real>(
+    kind: u32,
+    joint: &Fitting<R>,
+    child: &Bone<R>,
+    parent: &Bone<R>,
+    second: &Bone<R>,
+    h: f32,
+) -> Link<R> {
+    let arm = child.attitude.rotate(joint.anchor);
     let mut link = Link {
         arm,
         parent_arm: arm + (child.position - parent.position),
         ..Link::default()
     };
-    let first = rod(node.parent_anchor, node.length, child, parent, arm, h);
+    let first = rod(joint.parent_anchor, joint.length, child, parent, arm, h);
     link.along = first.along;
     link.wanted[0].velocity.x = first.wanted;
     link.wanted[1].velocity.x = first.pushed;
-    if node.kind == TWO_RODS {
-        let other = rod(node.parent_axis, node.second_length, child, second, arm, h);
+    if kind == TWO_RODS {
+        let (hook, length) = (joint.parent_axis, joint.second_length);
+        let other = rod(hook, length, child, second, arm, h);
         link.second = other.along;
         link.wanted[0].velocity.y = other.wanted;
         link.wanted[1].velocity.y = other.pushed;
@@ -162,19 +214,28 @@ fn rods(node: &Node, child: &Bone, parent: &Bone, second: &Bone, h: f32) -> Link
 }
 
 /// A rod: its direction, and what it wants its stretching to change by.
-struct Rod {
-    along: Vec3,
-    wanted: f32,
-    pushed: f32,
+struct Rod<R> {
+    along: Vec3<R>,
+    wanted: R,
+    pushed: R,
 }
 
-fn rod(hook: Vec3, length: f32, child: &Bone, parent: &Bone, arm: Vec3, h: f32) -> Rod {
-    let hook = parent.attitude * hook;
+#[inline(always)]
+fn rod<R: Real>(
+    hook: Vec3<R>,
+    length: R,
+    child: &Bone<R>,
+    parent: &Bone<R>,
+    arm: Vec3<R>,
+    h: f32,
+) -> Rod<R> {
+    let hook = parent.attitude.rotate(hook);
     let line = child.position - parent.position + arm - hook;
     let distance = line.length();
-    let along = line / distance.max(SMALL);
-    let stretching =
-        |child: Rate, parent: Rate| along.dot(child.at(arm).velocity - parent.at(hook).velocity);
+    let along = line * distance.max(R::splat(SMALL)).recip();
+    let stretching = |child: Rate<R>, parent: Rate<R>| {
+        along.dot(child.at(arm).velocity - parent.at(hook).velocity)
+    };
     let gap = along * (distance - length);
     let closing = closing(gap, GENTLE_CLOSING, FASTEST_CLOSING, h);
     Rod {
@@ -186,6 +247,8 @@ fn rod(hook: Vec3, length: f32, child: &Bone, parent: &Bone, arm: Vec3, h: f32) 
 // ANCHOR_END: rods
 
 /// The same direction, no longer than `most`.
-fn at_most(v: Vec3, most: f32) -> Vec3 {
+#[inline(always)]
+fn at_most<R: Real>(v: Vec3<R>, most: f32) -> Vec3<R> {
+    let most = R::splat(most);
     v * (most / v.length().max(most))
 }

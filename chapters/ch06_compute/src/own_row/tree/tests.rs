@@ -4,6 +4,7 @@ mod dense;
 mod graph;
 mod kernels;
 mod scenes;
+mod widths;
 mod world;
 
 use ch00_scenes::random::SplitMix64;
@@ -99,6 +100,7 @@ fn random_world(scene: &Scene, seed: u64) -> World {
         world.joined[row].linear = random.vector(1.0).as_vec3();
         world.joined[row].angular = random.vector(1.0).as_vec3();
     }
+    world.read_impulses();
     world
 }
 
@@ -153,6 +155,7 @@ fn a_free_tree_keeps_its_momentum() {
         // stiffens them is none either, but tilts the scales a little.
         world.joined.fill(Held::default());
         world.trees.forget();
+        world.read_impulses();
         let before = world.momentum();
         world.solve_trees();
         let after = world.momentum();

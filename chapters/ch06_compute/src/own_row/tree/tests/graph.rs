@@ -4,7 +4,7 @@ use ch00_scenes::{Joint, Scene, builtin};
 use glam::DVec3;
 
 use super::*;
-use crate::rows::{EMPTY, HINGE, PIN};
+use crate::rows::{EMPTY, HINGE, NONE, PIN};
 
 fn scene(name: &str, count: Option<u64>) -> Scene {
     builtin::build(name, count, None).expect("a built-in scene")

@@ -28,7 +28,7 @@ impl Device {
         device.add("joined", &world.joined);
         device.add("nodes", &world.trees.nodes);
         device.add("limits", &world.trees.limits);
-        device.add("turned", &world.turned);
+        device.add("turned", &world.limits.turned);
         device.add("loops", &world.trees.loops);
         let presses: Vec<Pressed> = world.pressed.iter().map(pressed_of).collect();
         device.add("loop_presses", &presses);
@@ -220,12 +220,13 @@ fn the_kernel_solves_limits_as_the_function_does() {
     for row in 0..world.trees.limits.len() {
         let limit = &mut world.trees.limits[row];
         limit.impulses = random.vector(0.5).as_vec3();
-        world.turned[row].counts = 1.0;
-        world.turned[row].turning = random.vector(0.2).as_vec3();
+        world.limits.turned[row].counts = 1.0;
+        world.limits.turned[row].turning = random.vector(0.2).as_vec3();
     }
     for motion in &mut world.bodies.motion {
         motion.shares = 2.0;
     }
+    world.read_impulses();
     let device = Device::of(&world);
     device.run("ch06_limits", "solve_limits", world.trees.limits.len());
     world.solve_rows();
@@ -244,11 +245,17 @@ fn the_kernel_solves_limits_as_the_function_does() {
             "turning",
             row,
             turned.turning,
-            world.turned[row].turning,
+            world.limits.turned[row].turning,
             1e-4,
         );
-        assert_near("push", row, turned.push, world.turned[row].push, 1e-4);
-        assert_eq!(turned.counts, world.turned[row].counts, "{row}");
+        assert_near(
+            "push",
+            row,
+            turned.push,
+            world.limits.turned[row].push,
+            1e-4,
+        );
+        assert_eq!(turned.counts, world.limits.turned[row].counts, "{row}");
         active += u32::from(turned.turning != Vec3::ZERO);
     }
     assert!(active > 10, "{active} limits hold");

@@ -1,24 +1,31 @@
 //! A step without contacts: gravity, limits, loops, trees, and on.
 
+use ch00_maths::f32::spin::is_round;
 use ch00_scenes::{Scene, State};
 use glam::{DVec3, Vec3};
 
 use super::Trees;
 use crate::bodies::Bodies;
-use crate::own_row::body::Moving;
-use crate::own_row::limits::solve_limit;
+use crate::own_row::body::{turned, turned_with};
+use crate::own_row::limits::Limits;
 use crate::own_row::loops::solve_loop;
-use crate::own_row::one_side::Side;
-use crate::rows::{Held, Press, Push, Turned};
+use crate::own_row::side::Side;
+use crate::own_row::tree::Batches;
+use crate::rows::{Held, Press, Push};
+use crate::simd::{Eight, Real};
+
+/// Bodies and what joins them, solved in the lanes that the engine has.
+pub type World = WorldOf<Eight>;
 
 /// Bodies and what joins them.
-pub struct World {
+pub struct WorldOf<R> {
     pub bodies: Bodies,
     pub trees: Trees,
+    pub batches: Batches<R>,
     /// What the joints of trees hold bodies with.
     pub joined: Vec<Held>,
     /// What limits and loops do.
-    pub turned: Vec<Turned>,
+    pub limits: Limits<R>,
     pub pressed: Vec<Press>,
     /// What limits and loops held bodies with in the last substep.
     rows_held: Vec<Held>,
@@ -27,14 +34,15 @@ pub struct World {
     gravity: Vec3,
 }
 
-impl World {
+impl<R: Real> WorldOf<R> {
     /// A scene without contacts.
     pub fn of(scene: &Scene, substeps: u32) -> Self {
-        let trees = Trees::of(scene);
+        let (trees, bodies) = (Trees::of(scene), Bodies::of(scene));
         Self {
-            bodies: Bodies::of(scene),
+            batches: Batches::of(&trees, &bodies),
+            limits: Limits::of(&trees.limits),
+            bodies,
             joined: vec![Held::default(); scene.bodies.len()],
-            turned: vec![Turned::default(); trees.limits.len()],
             pressed: vec![Press::default(); trees.loops.len()],
             rows_held: vec![Held::default(); scene.bodies.len()],
             trees,
@@ -44,9 +52,19 @@ impl World {
         }
     }
 
+    /// Takes over what nodes and limits say that held in the last substep.
+    pub fn read_impulses(&mut self) {
+        self.batches = Batches::of(&self.trees, &self.bodies);
+        let turned = std::mem::take(&mut self.limits.turned);
+        self.limits = Limits::of(&self.trees.limits);
+        self.limits.turned = turned;
+    }
+
     /// Solves the trees once.
     pub fn solve_trees(&mut self) {
-        self.trees.solve(&mut self.bodies, &mut self.joined, self.h);
+        self.batches.solve(&self.bodies, &self.joined, self.h);
+        self.batches.apply(&mut self.bodies, &mut self.joined);
+        self.batches.write_back(&mut self.trees.nodes);
     }
 
     /// A step.
@@ -90,7 +108,7 @@ impl World {
             .trees
             .limit_ends
             .at(row)
-            .filter(|&(limit, _)| self.turned[limit].counts > 0.0);
+            .filter(|&(limit, _)| self.limits.turned[limit].counts > 0.0);
         let shares = limits.count() + self.trees.loop_ends.at(row).count();
         self.bodies.motion[row].shares = if self.bodies.is_static(row) {
             1.0
@@ -102,28 +120,11 @@ impl World {
     /// Solves limits and loops once.
     pub fn solve_rows(&mut self) {
         let bodies = &self.bodies;
-        let side = |row: u32| {
-            let row = row as usize;
-            let (motion, spin) = (&bodies.motion[row], &bodies.spin[row]);
-            Side::of(
-                &bodies.place[row],
-                bodies.attitude[row],
-                motion,
-                spin,
-                &bodies.solid[row],
-                bodies.before[row],
-            )
-        };
-        for (limit, turned) in self.trees.limits.iter_mut().zip(&mut self.turned) {
-            *turned = solve_limit(limit, turned, [side(limit.a), side(limit.b)], self.h);
-        }
+        self.limits.solve(bodies, self.h);
+        self.limits.write_back(&mut self.trees.limits);
         for (node, pressed) in self.trees.loops.iter_mut().zip(&mut self.pressed) {
-            *pressed = solve_loop(
-                node,
-                pressed,
-                [side(node.parent_body), side(node.body)],
-                self.h,
-            );
+            let sides = [node.parent_body, node.body].map(|row| Side::of(bodies, &[row]));
+            *pressed = solve_loop(node, pressed, sides, self.h);
         }
     }
 
@@ -131,8 +132,8 @@ impl World {
         let (mut held, mut push) = (Held::default(), Held::default());
         for (limit, is_b) in self.trees.limit_ends.at(row) {
             let sign = if is_b { 1.0 } else { -1.0 };
-            held.angular += sign * self.turned[limit].turning;
-            push.angular += sign * self.turned[limit].push;
+            held.angular += sign * self.limits.turned[limit].turning;
+            push.angular += sign * self.limits.turned[limit].push;
         }
         for (joint, is_b) in self.trees.loop_ends.at(row) {
             let press = &self.pressed[joint];
@@ -164,16 +165,21 @@ impl World {
         let bodies = &mut self.bodies;
         let push = bodies.push[row];
         bodies.place[row].position += self.h * (bodies.motion[row].velocity + push.velocity);
-        let mut moving = Moving::<f32> {
-            attitude: bodies.attitude[row].into(),
-            angular_velocity: bodies.spin[row].angular_velocity.into(),
-            momentum: bodies.momentum[row].into(),
-            inverse_inertia: bodies.solid[row].inverse_inertia.into(),
-            ..Moving::default()
+        let (q, push) = (bodies.attitude[row], push.angular_velocity);
+        let inverse_inertia = bodies.solid[row].inverse_inertia;
+        let (attitude, spin) = if is_round(inverse_inertia) {
+            turned(
+                q,
+                bodies.spin[row].angular_velocity,
+                push,
+                inverse_inertia,
+                self.h,
+            )
+        } else {
+            turned_with(q, bodies.momentum[row], push, inverse_inertia, self.h)
         };
-        moving.turn(push.angular_velocity.into(), self.h);
-        bodies.attitude[row] = moving.attitude.lane(0);
-        bodies.spin[row].angular_velocity = moving.angular_velocity.lane(0);
+        bodies.attitude[row] = attitude;
+        bodies.spin[row].angular_velocity = spin;
     }
 
     /// Where all are.
