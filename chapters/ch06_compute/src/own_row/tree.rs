@@ -83,7 +83,10 @@ pub fn solve_tree<R: Real>(
     }
     for i in 0..tree.nodes.len() {
         let parent = tree.nodes[i].parent;
-        let parent = parent.map_or([Rate::default(); 2], |parent| walked[parent].change);
+        let parent = match parent {
+            Some(parent) => walked[parent].change,
+            None => [Rate::default(); 2],
+        };
         let here = &mut walked[i];
         let kind = tree.nodes[i].kind;
         let (change, given) = unfold(kind, &here.link, &here.kept, &here.felt, parent);
@@ -158,10 +161,9 @@ fn bone_of<R: Real>(bodies: &Bodies, rows: &[u32]) -> Bone<R> {
 /// Two vectors of a row, each with a spare number behind it.
 #[inline(always)]
 fn halves<R: Real>(table: &[[[f32; 4]; 2]], rows: &[u32]) -> [Vec3<R>; 2] {
-    [0, 1].map(|half| {
-        let [x, y, z, _] = R::of_rows(|lane| table[rows[lane] as usize][half]);
-        Vec3::new(x, y, z)
-    })
+    let [x, y, z, _] = R::of_rows(|lane| table[rows[lane] as usize][0]);
+    let [u, v, w, _] = R::of_rows(|lane| table[rows[lane] as usize][1]);
+    [Vec3::new(x, y, z), Vec3::new(u, v, w)]
 }
 
 /// A body before anything is folded into it.

@@ -47,7 +47,7 @@ impl<R: Real> Batch<R> {
 
     /// What its limits do in a substep, in the place of what they did in the last.
     fn solve(&mut self, bodies: &Bodies, turned: &mut [Turned], h: f32) {
-        let sides = [self.a, self.b].map(|rows| Side::of(bodies, &rows));
+        let sides = [Side::of(bodies, &self.a), Side::of(bodies, &self.b)];
         let rows: &mut [[[f32; 4]; 2]] = bytemuck::cast_slice_mut(turned);
         let [x, y, z, counts] = R::of_rows(|lane| rows[lane.min(self.count - 1)][0]);
         let before = Turning {

@@ -122,8 +122,9 @@ impl<R: Real> Articulated<R> {
     #[inline(always)]
     #[must_use]
     pub fn at(self, r: Vec3<R>) -> Self {
-        let [x, y, z] = self.mass.columns().map(|column| column.cross(r));
-        let coupling = self.coupling + Mat3::from_cols(x, y, z);
+        let [x, y, z] = self.mass.columns();
+        let moved = Mat3::from_cols(x.cross(r), y.cross(r), z.cross(r));
+        let coupling = self.coupling + moved;
         let turned = times_crossing(self.coupling, r);
         let inertia = self
             .inertia
@@ -142,8 +143,8 @@ impl<R: Real> Articulated<R> {
     #[inline(always)]
     #[must_use]
     pub fn felt_at(mass: Symmetric<R>, s: Vec3<R>) -> Self {
-        let [x, y, z] = mass.columns().map(|column| s.cross(column));
-        let coupling = Mat3::from_cols(x, y, z);
+        let [x, y, z] = mass.columns();
+        let coupling = Mat3::from_cols(s.cross(x), s.cross(y), s.cross(z));
         Self {
             mass,
             coupling,

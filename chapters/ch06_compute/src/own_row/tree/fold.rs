@@ -59,6 +59,12 @@ pub struct Kept<R> {
 }
 // ANCHOR_END: kept
 
+/// The same for velocities, 0, and for pushes, 1.
+#[inline(always)]
+fn for_both<T>(of: impl Fn(usize) -> T) -> [T; 2] {
+    [of(0), of(1)]
+}
+
 // ANCHOR: fold
 /// On the way up: folds a body, with all that was folded into it, into its joint. Gives what it keeps
 /// for the way down, and what the parent feels, about the parent's centre.
@@ -72,14 +78,14 @@ pub fn fold<R: Real>(
 ) -> (Kept<R>, Carried<R>) {
     let at_joint = Carried {
         articulated: body.articulated.at(link.arm),
-        wrench: body.wrench.map(|wrench| wrench.at(link.arm)),
+        wrench: for_both(|k| body.wrench[k].at(link.arm)),
     };
     let (kept, felt) = if kind == HINGE {
         fold_hinge(link, heft, &at_joint)
     } else {
         fold_point(kind, link, heft, &at_joint)
     };
-    let wrench = felt.wrench.map(|wrench| wrench.at(-link.parent_arm));
+    let wrench = for_both(|k| felt.wrench[k].at(-link.parent_arm));
     (kept, Carried { wrench, ..felt })
 }
 // ANCHOR_END: fold
@@ -107,21 +113,20 @@ fn fold_point<R: Real>(
         turns.times(coupling.z),
     );
     let felt = less_product(mass, gain, coupling);
-    let impulse = at_joint
-        .wrench
-        .map(|wrench| wrench.impulse - gain.transposed_times(wrench.turning));
+    let acts = at_joint.wrench;
+    let impulse = for_both(|k| acts[k].impulse - gain.transposed_times(acts[k].turning));
     let mut kept = Kept {
         gain,
-        rest: at_joint.wrench.map(|wrench| turns.times(wrench.turning)),
+        rest: for_both(|k| turns.times(acts[k].turning)),
         ..Kept::default()
     };
     if kind == PIN {
-        let lacks = |k: usize| impulse[k] - felt.times(link.wanted[k].velocity);
-        return (kept, felt_at(felt, [lacks(0), lacks(1)], link));
+        let lacks = for_both(|k| impulse[k] - felt.times(link.wanted[k].velocity));
+        return (kept, felt_at(felt, lacks, link));
     }
     let stiffest = heft.inverse_mass + link.arm.length_squared() * heft.stiffest;
     kept.give = felt.inverse(stiffest.recip());
-    kept.free = impulse.map(|impulse| kept.give.times(impulse));
+    kept.free = for_both(|k| kept.give.times(impulse[k]));
     let carried = match kind {
         ROD | TWO_RODS => fold_rods(kind, link, &kept),
         _ => Carried::default(),
@@ -144,8 +149,8 @@ fn less_product<R: Real>(a: Symmetric<R>, g: Mat3<R>, c: Mat3<R>) -> Symmetric<R
 fn felt_at<R: Real>(mass: Symmetric<R>, impulse: [Vec3<R>; 2], link: &Link<R>) -> Carried<R> {
     Carried {
         articulated: Articulated::felt_at(mass, link.parent_arm),
-        wrench: impulse.map(|impulse| Wrench {
-            impulse,
+        wrench: for_both(|k| Wrench {
+            impulse: impulse[k],
             turning: Vec3::zero(),
         }),
     }
@@ -162,11 +167,12 @@ fn fold_rods<R: Real>(kind: u32, link: &Link<R>, kept: &Kept<R>) -> Carried<R> {
     let n1 = kept.give.times(u1);
     let reply = u1.dot(n1).max(small);
     let lacks = |k: usize, u: Vec3<R>, wanted: R| u.dot(kept.free[k]) - wanted;
-    let first = [0, 1].map(|k| lacks(k, u1, link.wanted[k].velocity.x));
+    let first = for_both(|k| lacks(k, u1, link.wanted[k].velocity.x));
     if kind == ROD {
         let sharing = reply.recip();
         let mass = Symmetric::outer(u1).scaled(sharing);
-        return felt_at(mass, first.map(|lacks| u1 * (lacks * sharing)), link);
+        let impulse = for_both(|k| u1 * (first[k] * sharing));
+        return felt_at(mass, impulse, link);
     }
     let n2 = kept.give.times(u2);
     let (both, other) = (u1.dot(n2), u2.dot(n2).max(small));
@@ -178,7 +184,7 @@ fn fold_rods<R: Real>(kind: u32, link: &Link<R>, kept: &Kept<R>) -> Carried<R> {
         .plus(Symmetric::outer(u2).scaled(reply))
         .plus(Symmetric::outer_pair(u1, u2).scaled(-both))
         .scaled(sharing);
-    let impulse = [0, 1].map(|k| {
+    let impulse = for_both(|k| {
         let second = lacks(k, u2, link.wanted[k].velocity.y);
         (u1 * (other * first[k] - both * second) + u2 * (reply * second - both * first[k]))
             * sharing
@@ -211,25 +217,23 @@ fn fold_hinge<R: Real>(
             + Mat3::from_cols(given * -moving.x, given * -moving.y, given * -moving.z),
         inertia: inertia.plus(Symmetric::outer(turning).scaled(-reply)),
     };
-    let turns = at_joint
-        .wrench
-        .map(|wrench| axis.dot(wrench.turning) * reply);
-    let lacks = |k: usize| {
+    let turns = for_both(|k| axis.dot(at_joint.wrench[k].turning) * reply);
+    let lacks = for_both(|k| {
         let yielded = Wrench {
             impulse: moving * turns[k],
             turning: turning * turns[k],
         };
         let wrench = at_joint.wrench[k].minus(yielded);
         wrench.minus(felt.times(link.wanted[k]))
-    };
+    });
     let kept = Kept {
         gain: Mat3::from_cols(moving * reply, given, axis),
-        rest: turns.map(|turn| Vec3::new(turn, R::splat(0.0), R::splat(0.0))),
+        rest: for_both(|k| Vec3::new(turns[k], R::splat(0.0), R::splat(0.0))),
         ..Kept::default()
     };
     let carried = Carried {
         articulated: felt.at(-link.parent_arm),
-        wrench: [lacks(0), lacks(1)],
+        wrench: lacks,
     };
     (kept, carried)
 }
@@ -247,8 +251,8 @@ pub fn unfold<R: Real>(
     felt: &Carried<R>,
     parent: [Rate<R>; 2],
 ) -> ([Rate<R>; 2], Vec3<R>) {
-    let given = [0, 1].map(|k| felt.articulated.times(parent[k]).impulse - felt.wrench[k].impulse);
-    let change = [0, 1].map(|k| {
+    let given = for_both(|k| felt.articulated.times(parent[k]).impulse - felt.wrench[k].impulse);
+    let change = for_both(|k| {
         let here = parent[k].at(link.parent_arm);
         match kind {
             HINGE => follow_hinge(link, kept, k, here),
