@@ -93,7 +93,7 @@ const NOWHERE: Seat = Seat {
 /// All trees of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Batches<R> {
-    batches: Vec<Batch<R>>,
+    all: Vec<Batch<R>>,
     /// By body.
     seats: Vec<Seat>,
     /// What one thread has in hand.
@@ -184,7 +184,7 @@ impl<R: Real> Batches<R> {
     /// How many batches there are.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.batches.len()
+        self.all.len()
     }
 
     /// Adds a batch, and tells its bodies where they sit.
@@ -192,12 +192,12 @@ impl<R: Real> Batches<R> {
         for (at, node) in batch.nodes.iter().enumerate() {
             for lane in 0..batch.starts.len() {
                 self.seats[node.rows[lane] as usize] = Seat {
-                    batch: self.batches.len() as u32,
+                    batch: self.all.len() as u32,
                     row: (at * R::LANES + lane) as u32,
                 };
             }
         }
-        self.batches.push(batch);
+        self.all.push(batch);
     }
 
     // ANCHOR: solve
@@ -206,12 +206,12 @@ impl<R: Real> Batches<R> {
         let solve = |walked: &mut Vec<Walked<R>>, batch: &mut Batch<R>| {
             solve_tree(batch, bodies, joined, walked, h);
         };
-        if self.batches.len() < FEW {
-            for batch in &mut self.batches {
+        if self.all.len() < FEW {
+            for batch in &mut self.all {
                 solve(&mut self.walked, batch);
             }
         } else {
-            let batches = self.batches.par_iter_mut().with_min_len(FEW / 2);
+            let batches = self.all.par_iter_mut().with_min_len(FEW / 2);
             batches.for_each_init(Vec::new, solve);
         }
     }
@@ -222,7 +222,7 @@ impl<R: Real> Batches<R> {
     #[must_use]
     pub fn at(&self, row: usize) -> Option<&Solved> {
         let seat = self.seats[row];
-        let batch = self.batches.get(seat.batch as usize)?;
+        let batch = self.all.get(seat.batch as usize)?;
         Some(&batch.solved[seat.row as usize])
     }
 
@@ -237,7 +237,7 @@ impl<R: Real> Batches<R> {
 
     /// Forgets what held in the last substep.
     pub fn forget(&mut self) {
-        let nodes = self.batches.iter_mut().flat_map(|batch| &mut batch.nodes);
+        let nodes = self.all.iter_mut().flat_map(|batch| &mut batch.nodes);
         for node in nodes {
             node.impulse = Vec3::zero();
         }
@@ -245,7 +245,7 @@ impl<R: Real> Batches<R> {
 
     /// Tells the nodes of the scene what their joints gave.
     pub fn write_back(&self, nodes: &mut [Node]) {
-        for batch in &self.batches {
+        for batch in &self.all {
             for (at, node) in batch.nodes.iter().enumerate() {
                 for (lane, start) in batch.starts.iter().enumerate() {
                     nodes[start + at].impulse = node.impulse.lane(lane);
@@ -262,7 +262,7 @@ impl<R: Real> Batches<R> {
     /// A body without joints is gone: those after it have moved up.
     pub fn remove_body(&mut self, body: usize) {
         self.seats.remove(body);
-        for node in self.batches.iter_mut().flat_map(|batch| &mut batch.nodes) {
+        for node in self.all.iter_mut().flat_map(|batch| &mut batch.nodes) {
             for rows in [&mut node.rows, &mut node.parent_rows, &mut node.second_rows] {
                 for row in rows {
                     if *row != NONE && *row as usize > body {

@@ -252,15 +252,26 @@ pub fn unfold<R: Real>(
     parent: [Rate<R>; 2],
 ) -> ([Rate<R>; 2], Vec3<R>) {
     let given = for_both(|k| felt.articulated.times(parent[k]).impulse - felt.wrench[k].impulse);
-    let change = for_both(|k| {
-        let here = parent[k].at(link.parent_arm);
-        match kind {
-            HINGE => follow_hinge(link, kept, k, here),
-            PIN => follow_point(link, kept, k, here.velocity + link.wanted[k].velocity),
-            _ => follow_point(link, kept, k, kept.free[k] + kept.give.times(given[k])),
-        }
-    });
+    let change = for_both(|k| follow(kind, link, kept, k, parent[k], given[k]));
     (change, given[0])
+}
+
+/// How the body's motion changes where its parent's does so and the joint gives this impulse.
+#[inline(always)]
+fn follow<R: Real>(
+    kind: u32,
+    link: &Link<R>,
+    kept: &Kept<R>,
+    k: usize,
+    parent: Rate<R>,
+    given: Vec3<R>,
+) -> Rate<R> {
+    let here = parent.at(link.parent_arm);
+    match kind {
+        HINGE => follow_hinge(link, kept, k, here),
+        PIN => follow_point(link, kept, k, here.velocity + link.wanted[k].velocity),
+        _ => follow_point(link, kept, k, kept.free[k] + kept.give.times(given)),
+    }
 }
 
 /// The body's motion if its joint's point moves so.
