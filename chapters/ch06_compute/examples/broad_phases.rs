@@ -67,7 +67,7 @@ fn measure(name: &str, count: u64) -> Result<(), Problem> {
     let scene = scene_of(name, count)?;
     let rules = Rules::of(&scene, &Settings::defaults())?;
     let mut lanes =
-        Lanes::of(&scene, rules).map_err(|(why, body)| format!("body {body}: {why}"))?;
+        <Lanes>::of(&scene, rules).map_err(|(why, body)| format!("body {body}: {why}"))?;
     let dt = scene.dt as f32;
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     // Bodies of very unequal sizes start inside each other and are looked at as they stand.

@@ -46,7 +46,7 @@ pub struct Lanes<R: Real = Eight> {
     /// What pulls beyond gravity.
     pub forces: Forces,
     /// Joints and angle limits.
-    pub joints: Joints,
+    pub joints: Joints<R>,
     /// The constants of the run.
     pub rules: Rules,
     /// Who works.

@@ -46,6 +46,12 @@ impl<R: Real> Joints<R> {
         }
     }
 
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.trees.is_empty() && self.trees.loops.is_empty()
+    }
+
     /// Forgets what held in the last substep.
     pub fn forget(&mut self) {
         self.trees.forget();

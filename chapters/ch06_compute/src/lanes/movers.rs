@@ -75,7 +75,7 @@ impl<'b> Movers<'b> {
 
 impl Block<'_> {
     /// Starts a substep: what pulls and holds each body.
-    pub fn kick<R: Real>(&mut self, pulls: &[Pull], joints: &Joints, step: &Step) {
+    pub fn kick<R: Real>(&mut self, pulls: &[Pull], joints: &Joints<R>, step: &Step) {
         let mut moving = self.load::<R>();
         self.note_before(&moving);
         let (first, last) = (self.first, self.place.len() - 1);
@@ -139,7 +139,7 @@ impl Block<'_> {
     }
 
     /// Each body moves.
-    pub fn advance<R: Real>(&mut self, gathered: &[Gathered], joints: &Joints, step: &Step) {
+    pub fn advance<R: Real>(&mut self, gathered: &[Gathered], joints: &Joints<R>, step: &Step) {
         let mut moving = self.load::<R>();
         let last = self.place.len() - 1;
         let first = self.first;

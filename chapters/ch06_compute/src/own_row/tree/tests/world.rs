@@ -1,12 +1,11 @@
 //! A step without contacts: gravity, limits, loops, trees, and on.
 
-use ch00_maths::f32::spin::is_round;
 use ch00_scenes::{Scene, State};
 use glam::{DVec3, Vec3};
 
 use super::Trees;
 use crate::bodies::Bodies;
-use crate::own_row::body::{turned, turned_with};
+use crate::own_row::body::Moving;
 use crate::own_row::limits::Limits;
 use crate::own_row::loops::solve_loop;
 use crate::own_row::side::Side;
@@ -165,21 +164,16 @@ impl<R: Real> WorldOf<R> {
         let bodies = &mut self.bodies;
         let push = bodies.push[row];
         bodies.place[row].position += self.h * (bodies.motion[row].velocity + push.velocity);
-        let (q, push) = (bodies.attitude[row], push.angular_velocity);
-        let inverse_inertia = bodies.solid[row].inverse_inertia;
-        let (attitude, spin) = if is_round(inverse_inertia) {
-            turned(
-                q,
-                bodies.spin[row].angular_velocity,
-                push,
-                inverse_inertia,
-                self.h,
-            )
-        } else {
-            turned_with(q, bodies.momentum[row], push, inverse_inertia, self.h)
+        let mut moving = Moving::<f32> {
+            attitude: bodies.attitude[row].into(),
+            angular_velocity: bodies.spin[row].angular_velocity.into(),
+            momentum: bodies.momentum[row].into(),
+            inverse_inertia: bodies.solid[row].inverse_inertia.into(),
+            ..Moving::default()
         };
-        bodies.attitude[row] = attitude;
-        bodies.spin[row].angular_velocity = spin;
+        moving.turn(push.angular_velocity.into(), self.h);
+        bodies.attitude[row] = moving.attitude.lane(0);
+        bodies.spin[row].angular_velocity = moving.angular_velocity.lane(0);
     }
 
     /// Where all are.
