@@ -61,7 +61,7 @@ fn on_the_cpu(scene: &Scene, seed: u64) -> State {
                 way * f64::from(f32::EPSILON) * body.position[axis].abs().max(size);
         }
     }
-    let mut lanes = Lanes::of(&moved, rules(&moved)).expect("it is supported");
+    let mut lanes = <Lanes>::of(&moved, rules(&moved)).expect("it is supported");
     for _ in 0..STEPS {
         lanes.step(DT, |_| ());
     }
