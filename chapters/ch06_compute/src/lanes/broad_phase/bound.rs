@@ -9,7 +9,7 @@ use crate::bodies::Bodies;
 use crate::rules::MARGIN;
 
 /// Room in a box for what its body may do beyond the step, in reaches of the body.
-const ROOM: f32 = 0.05;
+const ROOM: f32 = 0.1;
 
 /// A box has room for its body's velocity until a body of usual speed has come this far, in reaches …
 const FARTHER: f32 = 0.2;

@@ -7,7 +7,7 @@ use super::{Bound, BroadPhase, bound};
 use crate::bodies::Bodies;
 
 /// So many bodies, one of …, may have left their room before all is built anew.
-const FEW: usize = 16;
+const FEW: usize = 8;
 
 /// The bodies that left, and whom they may touch.
 #[derive(Clone, Debug, Default)]

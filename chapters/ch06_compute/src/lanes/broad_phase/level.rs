@@ -98,10 +98,8 @@ impl Level {
     /// Counts a body in, and how far the cells reach.
     pub fn count(&mut self, cell: Cell) {
         self.count += 1;
-        for axis in 0..3 {
-            self.low[axis] = self.low[axis].min(cell[axis]);
-            self.high[axis] = self.high[axis].max(cell[axis]);
-        }
+        self.low = std::array::from_fn(|axis| self.low[axis].min(cell[axis]));
+        self.high = std::array::from_fn(|axis| self.high[axis].max(cell[axis]));
     }
 
     /// Makes a table with slots for all cells, if these are no more than four a body.

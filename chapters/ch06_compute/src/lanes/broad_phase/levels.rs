@@ -35,7 +35,7 @@ const NOWHERE: u8 = 255;
 /// All levels. Keeps its memory when it is built anew.
 #[derive(Clone, Debug, Default)]
 pub struct Levels {
-    levels: Vec<Level>,
+    grids: Vec<Level>,
     /// By row: its level, and its cell there.
     homes: Vec<(u8, Cell)>,
     /// Rows that are in no level, and their boxes.
@@ -48,29 +48,29 @@ impl Levels {
     /// Sorts the boxes into levels and cells.
     pub fn build(&mut self, bounds: &[Bound], is_static: impl Fn(usize) -> bool) {
         let edge = usual_edge(bounds);
-        self.levels.resize_with(MOST_LEVELS, Level::default);
+        self.grids.resize_with(MOST_LEVELS, Level::default);
         let mut width = edge;
-        for level in &mut self.levels {
+        for level in &mut self.grids {
             level.clear(width);
             width *= WIDER;
         }
         self.homes.clear();
         for bound in bounds {
             let home = self.home_of(bound);
-            if let Some(level) = self.levels.get_mut(home.0 as usize) {
+            if let Some(level) = self.grids.get_mut(home.0 as usize) {
                 level.count(home.1);
             }
             self.homes.push(home);
         }
         self.large.clear();
-        for level in &mut self.levels {
+        for level in &mut self.grids {
             level.listed = level.bodies() <= LISTED;
             if !level.listed {
                 level.lay_table();
             }
         }
         for (row, (level, cell)) in self.homes.iter_mut().enumerate() {
-            match self.levels.get_mut(*level as usize) {
+            match self.grids.get_mut(*level as usize) {
                 Some(at) if !at.listed => at.count_slot(*cell),
                 None if *level == NOWHERE => {}
                 _ => {
@@ -79,13 +79,13 @@ impl Levels {
                 }
             }
         }
-        self.levels.iter_mut().for_each(Level::scan);
+        self.grids.iter_mut().for_each(Level::scan);
         for (row, (level, cell)) in self.homes.iter().enumerate() {
-            if let Some(level) = self.levels.get_mut(*level as usize) {
+            if let Some(level) = self.grids.get_mut(*level as usize) {
                 level.put(*cell, row as u32, is_static(row), bounds[row]);
             }
         }
-        self.levels.retain(|level| !level.listed);
+        self.grids.retain(|level| !level.listed);
         self.large_bounds.clear();
         let boxes = self.large.iter().map(|&row| bounds[row as usize]);
         self.large_bounds.extend(boxes);
@@ -100,7 +100,7 @@ impl Levels {
             return (NOWHERE, Cell::default());
         }
         let extent = bound.extent();
-        for (k, level) in self.levels.iter().enumerate() {
+        for (k, level) in self.grids.iter().enumerate() {
             if extent <= level.edge {
                 let low = cell_of(bound.low(), level.inverse);
                 let high = cell_of(bound.high(), level.inverse);
@@ -120,14 +120,14 @@ impl Levels {
 
     /// Edge of the cells, m, and number of bodies of each level.
     pub fn sizes(&self) -> impl Iterator<Item = (f32, usize)> {
-        self.levels.iter().map(|level| (level.edge, level.bodies()))
+        self.grids.iter().map(|level| (level.edge, level.bodies()))
     }
 
     // ANCHOR: find
     /// All pairs of boxes that overlap, of which one can move, each once, the smaller row first.
     pub fn find(&self, threads: bool, found: &mut Vec<Vec<[u32; 2]>>) {
-        let chunks: Vec<(usize, usize)> = (0..self.levels.len())
-            .flat_map(|k| (0..self.levels[k].bodies().div_ceil(CHUNK)).map(move |c| (k, c * CHUNK)))
+        let chunks: Vec<(usize, usize)> = (0..self.grids.len())
+            .flat_map(|k| (0..self.grids[k].bodies().div_ceil(CHUNK)).map(move |c| (k, c * CHUNK)))
             .collect();
         found.resize_with(chunks.len() + 1, Vec::new);
         let find = |(&(k, first), found): (&(usize, usize), &mut Vec<[u32; 2]>)| {
@@ -144,16 +144,25 @@ impl Levels {
         self.find_among_large(last);
     }
 
-    /// Pairs of some bodies of a level: with those that follow them there, with all in the levels above, and
-    /// with the large ones.
+    /// Pairs of some bodies of a level: with those that follow them there, with all in the other levels in which
+    /// they are the ones to look, and with the large ones.
     fn find_for(&self, k: usize, first: usize, found: &mut Vec<[u32; 2]>) {
-        let level = &self.levels[k];
+        let level = &self.grids[k];
         let end = level.bodies().min(first + CHUNK);
         for at in first..end {
             level.find_following(at, found);
             let (row, bound) = (level.rows[at], level.bounds[at]);
-            for above in &self.levels[k + 1..] {
+            for above in self.grids[k + 1..]
+                .iter()
+                .filter(|above| !looks_down(above, level))
+            {
                 above.find_overlapping(row, &bound, found);
+            }
+            for below in self.grids[..k]
+                .iter()
+                .filter(|below| looks_down(level, below))
+            {
+                below.find_overlapping(row, &bound, found);
             }
             self.find_large(row, &bound, found);
         }
@@ -162,7 +171,7 @@ impl Levels {
 
     /// Pairs of a box with all that were sorted, itself among them.
     pub fn find_all(&self, row: Row, bound: &Bound, found: &mut Vec<[u32; 2]>) {
-        for level in &self.levels {
+        for level in &self.grids {
             level.find_overlapping(row, bound, found);
         }
         self.find_large(row, bound, found);
@@ -186,6 +195,13 @@ impl Levels {
             }
         }
     }
+}
+
+/// Whether the bodies of the coarser of two grids look into the finer: that is fewer lines of cells than
+/// when those of the finer look at three by three each.
+fn looks_down(coarse: &Level, fine: &Level) -> bool {
+    let across = coarse.edge / fine.edge + 2.0;
+    coarse.bodies() as f32 * across * across < 9.0 * fine.bodies() as f32
 }
 
 /// The largest edge of the usual boxes, m.
