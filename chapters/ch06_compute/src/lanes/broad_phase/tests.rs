@@ -12,9 +12,12 @@ const DT: f32 = 1.0 / 60.0;
 fn by_force(bodies: &Bodies, dt: f32, broad: &BroadPhase) -> Vec<(usize, usize)> {
     let is_aside = |row: usize| broad.aside.contains(&(row as u32));
     let bounds: Vec<Bound> = (0..bodies.rows())
-        .map(|row| match is_aside(row) {
-            true => Bound::EMPTY,
-            false => bound::about(bodies, row, dt),
+        .map(|row| {
+            if is_aside(row) {
+                Bound::EMPTY
+            } else {
+                bound::about(bodies, row, dt)
+            }
         })
         .collect();
     let mut pairs = Vec::new();
