@@ -1,12 +1,10 @@
 //! Single limits, whose answers are known.
 
-use ch00_scenes::{Body, Shape};
-use glam::{Quat, Vec3};
+use ch00_scenes::{Body, Joint, Scene, Shape};
+use glam::{DQuat, DVec3, Quat, Vec3};
 
-use super::{Bounds, Limit, Side, Symmetric, Turning};
-use super::{CONE_TWIST, EULER, FASTEST_TURN, FREE_ANGLE};
-use super::{DQuat, DVec3, Joint, Scene, limit_of, turns};
-use crate::rows::Turned;
+use super::{Bounds, FASTEST_TURN, Limit, Side, Symmetric, Turning, limit_of, turns};
+use crate::rows::{CONE_TWIST, EULER, FREE_ANGLE, Turned};
 
 /// A body of 1 kg and 1 kg m², or a static one, that turns.
 fn side(attitude: Quat, spin: Vec3, is_static: bool) -> Side<f32> {
