@@ -66,6 +66,9 @@ pub struct Solved {
 }
 // ANCHOR_END: solved
 
+/// So few trees that are left of a shape are solved one by one: eight lanes take as long as three trees.
+const LEFT: usize = 3;
+
 /// As many trees of one shape as there are lanes, or fewer.
 #[derive(Clone, Debug)]
 pub struct Batch<R> {
@@ -94,10 +97,13 @@ const NOWHERE: Seat = Seat {
 #[derive(Clone, Debug, Default)]
 pub struct Batches<R> {
     all: Vec<Batch<R>>,
+    /// Trees of whose shape there are few, each by itself.
+    alone: Vec<Batch<f32>>,
     /// By body.
     seats: Vec<Seat>,
     /// What one thread has in hand.
     walked: Vec<Walked<R>>,
+    walked_alone: Vec<Walked<f32>>,
 }
 
 impl<R: Real> Limb<R> {
@@ -163,6 +169,47 @@ impl<R: Real> Batch<R> {
     }
 }
 
+impl<R: Real> Batch<R> {
+    /// Tells its bodies where they sit, if it is batch number `index`.
+    fn seat(&self, index: usize, seats: &mut [Seat]) {
+        for (at, node) in self.nodes.iter().enumerate() {
+            for lane in 0..self.starts.len() {
+                seats[node.rows[lane] as usize] = Seat {
+                    batch: index as u32,
+                    row: (at * R::LANES + lane) as u32,
+                };
+            }
+        }
+    }
+
+    fn forget(&mut self) {
+        for node in &mut self.nodes {
+            node.impulse = Vec3::zero();
+        }
+    }
+
+    fn write_back(&self, nodes: &mut [Node]) {
+        for (at, node) in self.nodes.iter().enumerate() {
+            for (lane, start) in self.starts.iter().enumerate() {
+                nodes[start + at].impulse = node.impulse.lane(lane);
+            }
+        }
+    }
+
+    /// Rows behind a body that is gone have moved up.
+    fn move_up(&mut self, body: usize) {
+        for node in &mut self.nodes {
+            for rows in [&mut node.rows, &mut node.parent_rows, &mut node.second_rows] {
+                for row in rows {
+                    if *row != NONE && *row as usize > body {
+                        *row -= 1;
+                    }
+                }
+            }
+        }
+    }
+}
+
 impl<R: Real> Batches<R> {
     /// The trees of a scene, those of one shape together. They start from the impulses of their nodes.
     #[must_use]
@@ -175,8 +222,20 @@ impl<R: Real> Batches<R> {
             let count = trees.trees[starts[0]].len();
             let starts: Vec<_> = starts.iter().map(|&tree| trees.trees[tree].start).collect();
             for starts in starts.chunks(R::LANES) {
-                batches.push(Batch::of(&trees.nodes, starts, count, bodies));
+                if starts.len() <= LEFT {
+                    let one = |start| Batch::of(&trees.nodes, &[start], count, bodies);
+                    batches.alone.extend(starts.iter().map(|&start| one(start)));
+                } else {
+                    let batch = Batch::of(&trees.nodes, starts, count, bodies);
+                    batches.all.push(batch);
+                }
             }
+        }
+        for (index, batch) in batches.all.iter().enumerate() {
+            batch.seat(index, &mut batches.seats);
+        }
+        for (index, batch) in batches.alone.iter().enumerate() {
+            batch.seat(batches.all.len() + index, &mut batches.seats);
         }
         batches
     }
@@ -184,36 +243,14 @@ impl<R: Real> Batches<R> {
     /// How many batches there are.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.all.len()
-    }
-
-    /// Adds a batch, and tells its bodies where they sit.
-    fn push(&mut self, batch: Batch<R>) {
-        for (at, node) in batch.nodes.iter().enumerate() {
-            for lane in 0..batch.starts.len() {
-                self.seats[node.rows[lane] as usize] = Seat {
-                    batch: self.all.len() as u32,
-                    row: (at * R::LANES + lane) as u32,
-                };
-            }
-        }
-        self.all.push(batch);
+        self.all.len() + self.alone.len()
     }
 
     // ANCHOR: solve
     /// Solves all trees; each batch writes its own rows, in any order and on any thread.
     pub fn solve(&mut self, bodies: &Bodies, joined: &[Held], h: f32) {
-        let solve = |walked: &mut Vec<Walked<R>>, batch: &mut Batch<R>| {
-            solve_tree(batch, bodies, joined, walked, h);
-        };
-        if self.all.len() < FEW {
-            for batch in &mut self.all {
-                solve(&mut self.walked, batch);
-            }
-        } else {
-            let batches = self.all.par_iter_mut().with_min_len(FEW / 2);
-            batches.for_each_init(Vec::new, solve);
-        }
+        solve_all(&mut self.all, &mut self.walked, bodies, joined, h);
+        solve_all(&mut self.alone, &mut self.walked_alone, bodies, joined, h);
     }
     // ANCHOR_END: solve
 
@@ -222,8 +259,11 @@ impl<R: Real> Batches<R> {
     #[must_use]
     pub fn at(&self, row: usize) -> Option<&Solved> {
         let seat = self.seats[row];
-        let batch = self.all.get(seat.batch as usize)?;
-        Some(&batch.solved[seat.row as usize])
+        let (batch, row) = (seat.batch as usize, seat.row as usize);
+        match self.all.get(batch) {
+            Some(batch) => batch.solved.get(row),
+            None => self.alone.get(batch - self.all.len())?.solved.get(row),
+        }
     }
 
     /// Every body of a tree takes over what the solve made of it.
@@ -237,21 +277,14 @@ impl<R: Real> Batches<R> {
 
     /// Forgets what held in the last substep.
     pub fn forget(&mut self) {
-        let nodes = self.all.iter_mut().flat_map(|batch| &mut batch.nodes);
-        for node in nodes {
-            node.impulse = Vec3::zero();
-        }
+        self.all.iter_mut().for_each(Batch::forget);
+        self.alone.iter_mut().for_each(Batch::forget);
     }
 
     /// Tells the nodes of the scene what their joints gave.
     pub fn write_back(&self, nodes: &mut [Node]) {
-        for batch in &self.all {
-            for (at, node) in batch.nodes.iter().enumerate() {
-                for (lane, start) in batch.starts.iter().enumerate() {
-                    nodes[start + at].impulse = node.impulse.lane(lane);
-                }
-            }
-        }
+        self.all.iter().for_each(|batch| batch.write_back(nodes));
+        self.alone.iter().for_each(|batch| batch.write_back(nodes));
     }
 
     /// A body without joints came.
@@ -262,15 +295,29 @@ impl<R: Real> Batches<R> {
     /// A body without joints is gone: those after it have moved up.
     pub fn remove_body(&mut self, body: usize) {
         self.seats.remove(body);
-        for node in self.all.iter_mut().flat_map(|batch| &mut batch.nodes) {
-            for rows in [&mut node.rows, &mut node.parent_rows, &mut node.second_rows] {
-                for row in rows {
-                    if *row != NONE && *row as usize > body {
-                        *row -= 1;
-                    }
-                }
-            }
+        self.all.iter_mut().for_each(|batch| batch.move_up(body));
+        self.alone.iter_mut().for_each(|batch| batch.move_up(body));
+    }
+}
+
+/// Solves batches, in any order and on any thread.
+fn solve_all<R: Real>(
+    batches: &mut [Batch<R>],
+    walked: &mut Vec<Walked<R>>,
+    bodies: &Bodies,
+    joined: &[Held],
+    h: f32,
+) {
+    let solve = |walked: &mut Vec<Walked<R>>, batch: &mut Batch<R>| {
+        solve_tree(batch, bodies, joined, walked, h);
+    };
+    if batches.len() < FEW {
+        for batch in batches {
+            solve(walked, batch);
         }
+    } else {
+        let batches = batches.par_iter_mut().with_min_len(FEW / 2);
+        batches.for_each_init(Vec::new, solve);
     }
 }
 

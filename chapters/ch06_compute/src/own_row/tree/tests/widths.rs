@@ -70,8 +70,8 @@ fn one_lane_and_four_and_eight_on_any_threads_have_the_same_bits() {
 fn trees_of_one_shape_share_batches_and_their_bodies_sit_there() {
     let scene = menagerie();
     let world = WorldOf::<Eight>::of(&scene, 8);
-    // Eight ragdolls and three, a chain, a door, five balls of a cradle.
-    assert_eq!(world.batches.count(), 5);
+    // Eight ragdolls and three single ones, a chain, a door, five balls of a cradle.
+    assert_eq!(world.batches.count(), 7);
     let sitting = (0..scene.bodies.len()).filter(|&row| world.batches.at(row).is_some());
     assert_eq!(sitting.count(), 11 * 12 + 8 + 1 + 5);
 }
