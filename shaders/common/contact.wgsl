@@ -6,7 +6,7 @@
 const INNER_SWEEPS: u32 = 2u;
 
 // Sweeps over the points of a pair that bounces.
-const BOUNCE_SWEEPS: u32 = 4u;
+const BOUNCE_SWEEPS: u32 = 16u;
 
 // ANCHOR: note_impacts
 // Notes how fast the points come that will touch in this substep; says whether one touches or may touch
