@@ -72,7 +72,8 @@ fn carry(old: u32, m: ptr<function, Manifold>) -> Memory {
             if any(same) {
                 memory.normal[k] = dot(select(vec4f(0.0), last.normal, same), vec4f(1.0));
                 memory.friction = last.friction;
-                memory.twist = last.twist;
+                // A single point has no arm against turning.
+                memory.twist = select(0.0, last.twist, (*m).points > 1u);
             }
         }
     }

@@ -166,7 +166,8 @@ fn carry(old: &Manifold, impulse: &Impulse, new: &Manifold) -> Impulse {
             if old.core_a[j].w.to_bits() == new.core_a[k].w.to_bits() {
                 carried.normal[k] = impulse.normal[j];
                 carried.friction = impulse.friction;
-                carried.twist = impulse.twist;
+                // A single point has no arm against turning.
+                carried.twist = if new.points > 1 { impulse.twist } else { 0.0 };
             }
         }
     }
