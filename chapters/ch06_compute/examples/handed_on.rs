@@ -4,7 +4,7 @@
 //!
 //! `cargo run --release -p ch06_compute --no-default-features --example handed_on`
 
-use ch06_compute::own_row::contact::{Before, Contact, Impulses, Surface, solve_pair};
+use ch06_compute::own_row::contact::{Before, Contact, Impulses, Surface, solve_pair, touching};
 use ch06_compute::own_row::side::Side;
 use ch06_compute::rows::{Manifold, ROUND, Step};
 use ch06_compute::rules::IMPACT_SPEED;
@@ -46,12 +46,13 @@ fn leaves(shares: u32, impact_speed: f32) -> f32 {
             ..Before::default()
         };
         velocity -= held;
+        let sides = [ball(velocity, shares), wall()];
         let given = solve_pair(
-            &contact(),
+            &touching(&contact(), &sides[0], &sides[1]),
             &Surface::default(),
             &mut impulse,
             &mut [0.0],
-            [ball(velocity, shares), wall()],
+            sides,
             || [before, Before::default()],
             &step,
         );

@@ -7,7 +7,7 @@
 use std::f64::consts::PI;
 
 use ch06_compute::own_row::body::Gathered;
-use ch06_compute::own_row::contact::{Before, Contact, Impulses, Surface, solve_pair};
+use ch06_compute::own_row::contact::{Before, Contact, Impulses, Surface, solve_pair, touching};
 use ch06_compute::own_row::side::Side;
 use ch06_compute::rows::{Manifold, Press, ROUND, Step};
 use ch06_compute::simd::Quat;
@@ -167,7 +167,7 @@ fn mend(impulse: &mut Impulses<f32, 1>, sides: [Side<f32>; 2]) {
     };
     // What the bodies gather is the change, which the callers take from the impulse itself.
     let _ = solve_pair(
-        &contact,
+        &touching(&contact, &sides[0], &sides[1]),
         &Surface::default(),
         impulse,
         &mut [0.0],

@@ -5,7 +5,7 @@
 //! `cargo run --release -p ch06_compute --no-default-features --example shares -- [BALLS IN THE RING]`
 
 use ch00_maths::f32::real::{cos, sin};
-use ch06_compute::own_row::contact::{Before, Contact, Impulses, Surface, solve_pair};
+use ch06_compute::own_row::contact::{Before, Contact, Impulses, Surface, solve_pair, touching};
 use ch06_compute::own_row::side::Side;
 use ch06_compute::rows::{Manifold, ROUND, Step};
 use ch06_compute::simd::Quat;
@@ -71,7 +71,7 @@ fn passes(ring: usize, shares: f32) -> Vec<f32> {
             let sides = [middle(before, shares), around(k, ring)];
             // The impulse is mended in place; what bodies would gather isn't needed here.
             let _ = solve_pair(
-                &contact,
+                &touching(&contact, &sides[0], &sides[1]),
                 &Surface::default(),
                 impulse,
                 &mut [0.0],

@@ -144,7 +144,8 @@ impl<R: Real> Lanes<R> {
         }
         done("substeps");
         self.bounce(&step);
-        self.pairs.write_back();
+        self.pairs
+            .write_back(self.threads.least(self.bodies.rows()));
         done("restitution");
     }
     // ANCHOR_END: step
@@ -162,8 +163,9 @@ impl<R: Real> Lanes<R> {
     /// Narrow phase over what the broad phase found.
     fn meet(&mut self, dt: f32) {
         std::mem::swap(&mut self.pairs, &mut self.last_pairs);
-        let found = &self.broad.pairs;
-        pairs::meet(found, &self.bodies, dt, &self.last_pairs, &mut self.pairs);
+        let (found, last) = (&self.broad.pairs, &self.last_pairs);
+        let least = self.threads.least(self.bodies.rows());
+        pairs::meet(found, &self.bodies, dt, last, &mut self.pairs, least);
     }
 
     // ANCHOR: start

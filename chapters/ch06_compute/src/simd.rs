@@ -19,7 +19,7 @@ mod rows;
 mod trigonometry;
 mod vector;
 
-pub use matrix::{Mat3, Symmetric};
+pub use matrix::{Inertia, Mat3, Round, Symmetric};
 pub use quaternion::Quat;
 pub use real::{Eight, Four, MOST_LANES, Mask, Real};
 pub use rows::{gather, load, store};

@@ -2,7 +2,7 @@
 //! the same way, so that no lane waits for another.
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
-use rayon::slice::ParallelSliceMut;
+use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
 use crate::own_row::contact::{Contact, Impulses, Surface};
 use crate::rows::{Impulse, Manifold, Material, Press};
@@ -10,6 +10,9 @@ use crate::simd::{MOST_LANES, Real, array_of};
 
 /// How many ways a normal turns.
 const TURNS: usize = 4;
+
+/// The kind of a pair of balls.
+const TWO_BALLS: u32 = 0;
 
 /// The most points of a pair.
 const MOST_POINTS: usize = 4;
@@ -35,11 +38,15 @@ pub struct Batch<R: Real, const P: usize> {
 pub trait Work<R: Real>: Sync {
     /// Does it.
     fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]);
+
+    /// The same for pairs of balls.
+    fn run_balls(&self, batch: &mut Batch<R, 1>, rows: &mut [Press]);
 }
 
 /// All batches of a step.
 #[derive(Clone, Debug)]
 pub struct Batches<R: Real> {
+    balls: Vec<Batch<R, 1>>,
     one: Vec<Batch<R, 1>>,
     two: Vec<Batch<R, 2>>,
     three: Vec<Batch<R, 3>>,
@@ -53,6 +60,7 @@ pub struct Batches<R: Real> {
 impl<R: Real> Default for Batches<R> {
     fn default() -> Self {
         Self {
+            balls: Vec::new(),
             one: Vec::new(),
             two: Vec::new(),
             three: Vec::new(),
@@ -76,20 +84,33 @@ pub struct Pair<'p> {
     pub impulse: Impulse,
 }
 
+/// How many sorts of pairs there are: balls, and the others by points and by how the normal turns.
+const SORTS: usize = 1 + TURNS * MOST_POINTS;
+
 /// Which pairs go together.
 fn sort_of(manifold: &Manifold) -> usize {
-    (manifold.points as usize - 1) * TURNS + manifold.turns as usize
+    if manifold.kind == TWO_BALLS {
+        return 0;
+    }
+    1 + (manifold.points as usize - 1) * TURNS + manifold.turns as usize
 }
 
 impl<R: Real> Batches<R> {
     // ANCHOR: sort
     /// Puts so many pairs into batches, each sort by itself, in their order.
-    pub fn fill<'p>(&mut self, count: usize, pair: impl Fn(usize) -> Pair<'p>) {
-        let mut counts = [0; TURNS * MOST_POINTS];
+    /// At least `least` pairs go together.
+    pub fn fill<'p>(
+        &mut self,
+        count: usize,
+        least: usize,
+        pair: impl Fn(usize) -> Pair<'p> + Sync,
+    ) {
+        let least = least / R::LANES;
+        let mut counts = [0; SORTS];
         for k in 0..count {
             counts[sort_of(pair(k).manifold)] += 1;
         }
-        let mut firsts = [0; TURNS * MOST_POINTS];
+        let mut firsts = [0; SORTS];
         let mut rows = 0;
         for (first, count) in firsts.iter_mut().zip(counts) {
             *first = rows;
@@ -104,13 +125,14 @@ impl<R: Real> Batches<R> {
             order[*place] = k as u32;
             *place += 1;
         }
-        let end = |points: usize| firsts.get(points * TURNS).copied().unwrap_or(rows);
+        let end = |points: usize| firsts.get(1 + points * TURNS).copied().unwrap_or(rows);
         self.press.clear();
         self.press.resize(rows, Press::default());
-        fill(&mut self.one, &order[..end(1)], &pair);
-        fill(&mut self.two, &order[end(1)..end(2)], &pair);
-        fill(&mut self.three, &order[end(2)..end(3)], &pair);
-        fill(&mut self.four, &order[end(3)..], &pair);
+        fill(&mut self.balls, least, &order[..end(0)], &pair);
+        fill(&mut self.one, least, &order[end(0)..end(1)], &pair);
+        fill(&mut self.two, least, &order[end(1)..end(2)], &pair);
+        fill(&mut self.three, least, &order[end(2)..end(3)], &pair);
+        fill(&mut self.four, least, &order[end(3)..], &pair);
     }
     // ANCHOR_END: sort
 
@@ -124,13 +146,25 @@ impl<R: Real> Batches<R> {
     /// Does something with every batch, on as many threads as there are. At least `least` batches go
     /// together: fewer aren't worth another thread.
     pub fn each(&mut self, least: usize, work: &impl Work<R>) {
-        let (one, rest) = self.press.split_at_mut(self.one.len() * R::LANES);
+        let (balls, rest) = self.press.split_at_mut(self.balls.len() * R::LANES);
+        let (one, rest) = rest.split_at_mut(self.one.len() * R::LANES);
         let (two, rest) = rest.split_at_mut(self.two.len() * R::LANES);
         let (three, four) = rest.split_at_mut(self.three.len() * R::LANES);
-        each(&mut self.one, one, least, work);
-        each(&mut self.two, two, least, work);
-        each(&mut self.three, three, least, work);
-        each(&mut self.four, four, least, work);
+        each(&mut self.balls, balls, least, |batch, rows| {
+            work.run_balls(batch, rows);
+        });
+        each(&mut self.one, one, least, |batch, rows| {
+            work.run(batch, rows);
+        });
+        each(&mut self.two, two, least, |batch, rows| {
+            work.run(batch, rows);
+        });
+        each(&mut self.three, three, least, |batch, rows| {
+            work.run(batch, rows);
+        });
+        each(&mut self.four, four, least, |batch, rows| {
+            work.run(batch, rows);
+        });
     }
     // ANCHOR_END: each
 
@@ -139,10 +173,14 @@ impl<R: Real> Batches<R> {
     pub fn impulse(&self, pair: usize) -> Impulse {
         let place = self.place[pair] as usize;
         let (batch, lane) = (place / R::LANES, place % R::LANES);
-        let (two, three) = (self.one.len(), self.one.len() + self.two.len());
+        let one = self.balls.len();
+        let two = one + self.one.len();
+        let three = two + self.two.len();
         let four = three + self.three.len();
-        if batch < two {
-            self.one[batch].impulse.lane(lane)
+        if batch < one {
+            self.balls[batch].impulse.lane(lane)
+        } else if batch < two {
+            self.one[batch - one].impulse.lane(lane)
         } else if batch < three {
             self.two[batch - two].impulse.lane(lane)
         } else if batch < four {
@@ -156,11 +194,12 @@ impl<R: Real> Batches<R> {
 /// Batches of pairs of one number of points.
 fn fill<'p, R: Real, const P: usize>(
     batches: &mut Vec<Batch<R, P>>,
+    least: usize,
     order: &[u32],
-    pair: &impl Fn(usize) -> Pair<'p>,
+    pair: &(impl Fn(usize) -> Pair<'p> + Sync),
 ) {
-    batches.clear();
-    batches.extend(order.chunks_exact(R::LANES).map(|lanes| {
+    let lanes = order.par_chunks_exact(R::LANES).with_min_len(least);
+    let batch = lanes.map(|lanes| {
         let pair = |lane: usize| {
             let known = lanes[..=lane].iter().rev().find(|pair| **pair != u32::MAX);
             pair(*known.unwrap_or(&lanes[0]) as usize)
@@ -176,18 +215,19 @@ fn fill<'p, R: Real, const P: usize>(
             impulse: Impulses::of(|lane| pairs[lane].impulse),
             approach: [R::splat(0.0); P],
         }
-    }));
+    });
+    batch.collect_into_vec(batches);
 }
 
 fn each<R: Real, const P: usize>(
     batches: &mut [Batch<R, P>],
     press: &mut [Press],
     least: usize,
-    work: &impl Work<R>,
+    work: impl Fn(&mut Batch<R, P>, &mut [Press]) + Sync,
 ) {
     batches
         .par_iter_mut()
         .zip(press.par_chunks_mut(R::LANES))
         .with_min_len(least)
-        .for_each(|(batch, rows)| work.run(batch, rows));
+        .for_each(|(batch, rows)| work(batch, rows));
 }

@@ -1,6 +1,9 @@
 //! The pairs of a step: where they touch, and what they pressed in the last step.
 
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
+
 use super::batches::{Batches, Pair};
+use super::threads;
 use crate::bodies::Bodies;
 use crate::own_row::narrow::{Posed, manifold};
 use crate::rows::{Impulse, Manifold, Material};
@@ -25,6 +28,8 @@ pub struct Pairs<R: Real> {
     /// The pairs of each body, in the order of the other body's ID: twice the row of what it gathers, and 1
     /// where the body is b.
     pub of_body: Vec<u32>,
+    /// What came of the pairs that were found, some by some.
+    met: Vec<Met>,
 }
 
 impl<R: Real> Default for Pairs<R> {
@@ -37,6 +42,7 @@ impl<R: Real> Default for Pairs<R> {
             batches: Batches::default(),
             starts: Vec::new(),
             of_body: Vec::new(),
+            met: Vec::new(),
         }
     }
 }
@@ -60,14 +66,15 @@ impl<R: Real> Pairs<R> {
         let bodies = kept.iter().map(|&pair| self.bodies[pair]);
         self.bodies = bodies.map(|(a, b)| (moved(a), moved(b))).collect();
         let rows = self.starts.len().saturating_sub(2);
-        self.fill(rows);
+        self.fill(rows, usize::MAX);
     }
 
-    /// Brings what was pressed from the lanes into a row a pair.
-    pub fn write_back(&mut self) {
-        for (pair, impulse) in self.impulse.iter_mut().enumerate() {
-            *impulse = self.batches.impulse(pair);
-        }
+    /// Brings what was pressed from the lanes into a row a pair. At least `least` pairs go together.
+    pub fn write_back(&mut self, least: usize) {
+        let batches = &self.batches;
+        threads::each(&mut self.impulse, least, |pair, impulse| {
+            *impulse = batches.impulse(pair);
+        });
     }
 
     fn clear(&mut self) {
@@ -77,9 +84,10 @@ impl<R: Real> Pairs<R> {
         self.impulse.clear();
     }
 
-    /// Puts the pairs into lanes, and lists those of each of so many bodies.
-    fn fill(&mut self, rows: usize) {
-        self.batches.fill(self.bodies.len(), |pair| {
+    /// Puts the pairs into lanes, and lists those of each of so many bodies. At least `least` pairs go
+    /// together.
+    fn fill(&mut self, rows: usize, least: usize) {
+        self.batches.fill(self.bodies.len(), least, |pair| {
             let (a, b) = self.bodies[pair];
             Pair {
                 bodies: (a as u32, b as u32),
@@ -94,43 +102,98 @@ impl<R: Real> Pairs<R> {
 
 // ANCHOR: meet
 /// Narrow phase: where each pair touches or may touch; impulses of the last step go on where the same
-/// features still touch.
+/// features still touch. At least `least` pairs that were found go together.
 pub fn meet<R: Real>(
     found: &[(usize, usize)],
     bodies: &Bodies,
     dt: f32,
     last: &Pairs<R>,
     pairs: &mut Pairs<R>,
+    least: usize,
 ) {
     pairs.clear();
-    let mut old = 0;
-    for &(a, b) in found {
-        let m = manifold(
-            &posed(bodies, a),
-            &posed(bodies, b),
-            margin(bodies, a, b, dt),
-        );
-        if m.points == 0 {
-            continue;
-        }
-        while old < last.bodies.len() && last.bodies[old] < (a, b) {
-            old += 1;
-        }
-        let known = last.bodies.get(old) == Some(&(a, b));
-        pairs.impulse.push(if known {
-            carry(&last.manifold[old], &last.impulse[old], &m)
-        } else {
-            Impulse::default()
-        });
-        pairs.bodies.push((a, b));
-        pairs.manifold.push(m);
-        pairs
-            .material
-            .push(between(&bodies.material[a], &bodies.material[b]));
+    let mut met = std::mem::take(&mut pairs.met);
+    met.resize_with(found.len().div_ceil(least.max(1)), Met::default);
+    let some = found.chunks(least.min(found.len()).max(1));
+    met.par_iter_mut()
+        .zip(some.collect::<Vec<_>>())
+        .for_each(|(met, found)| met.meet(found, bodies, dt, last));
+    if let [all] = &mut met[..] {
+        all.swap_with(pairs);
     }
-    pairs.fill(bodies.rows());
+    if met.len() > 1 {
+        for some in &met {
+            some.append_to(pairs);
+        }
+    }
+    pairs.met = met;
+    pairs.fill(bodies.rows(), least);
 }
 // ANCHOR_END: meet
+
+/// What came of some of the pairs that were found.
+#[derive(Clone, Debug, Default)]
+struct Met {
+    bodies: Vec<(usize, usize)>,
+    manifold: Vec<Manifold>,
+    material: Vec<Material>,
+    impulse: Vec<Impulse>,
+}
+
+impl Met {
+    /// Takes the place of all pairs.
+    fn swap_with<R: Real>(&mut self, pairs: &mut Pairs<R>) {
+        std::mem::swap(&mut self.bodies, &mut pairs.bodies);
+        std::mem::swap(&mut self.manifold, &mut pairs.manifold);
+        std::mem::swap(&mut self.material, &mut pairs.material);
+        std::mem::swap(&mut self.impulse, &mut pairs.impulse);
+    }
+
+    fn append_to<R: Real>(&self, pairs: &mut Pairs<R>) {
+        pairs.bodies.extend_from_slice(&self.bodies);
+        pairs.manifold.extend_from_slice(&self.manifold);
+        pairs.material.extend_from_slice(&self.material);
+        pairs.impulse.extend_from_slice(&self.impulse);
+    }
+
+    fn meet<R: Real>(
+        &mut self,
+        found: &[(usize, usize)],
+        bodies: &Bodies,
+        dt: f32,
+        last: &Pairs<R>,
+    ) {
+        self.bodies.clear();
+        self.manifold.clear();
+        self.material.clear();
+        self.impulse.clear();
+        let first = found.first().copied().unwrap_or_default();
+        let mut old = last.bodies.partition_point(|pair| *pair < first);
+        for &(a, b) in found {
+            let m = manifold(
+                &posed(bodies, a),
+                &posed(bodies, b),
+                margin(bodies, a, b, dt),
+            );
+            if m.points == 0 {
+                continue;
+            }
+            while old < last.bodies.len() && last.bodies[old] < (a, b) {
+                old += 1;
+            }
+            let known = last.bodies.get(old) == Some(&(a, b));
+            self.impulse.push(if known {
+                carry(&last.manifold[old], &last.impulse[old], &m)
+            } else {
+                Impulse::default()
+            });
+            self.bodies.push((a, b));
+            self.manifold.push(m);
+            self.material
+                .push(between(&bodies.material[a], &bodies.material[b]));
+        }
+    }
+}
 
 /// A body as the narrow phase sees it.
 fn posed(bodies: &Bodies, row: usize) -> Posed {

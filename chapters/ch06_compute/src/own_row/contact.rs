@@ -16,13 +16,13 @@ mod touching;
 
 pub use impacts::{bounces, restore_pair};
 pub use rub::across;
-pub use touching::{Contact, Touching, touching};
+pub use touching::{Contact, Touching, touching, touching_balls};
 
 use glam::Vec4;
 
 use super::side::Side;
 use crate::rows::{Impulse, Material, Press, Step};
-use crate::simd::{Mask, Real, Vec3, array_of};
+use crate::simd::{Inertia, Mask, Real, Vec3, array_of};
 
 /// Below this an effective inverse mass or a length is none.
 const SMALL: f32 = 1e-12;
@@ -210,7 +210,12 @@ impl<R: Real> Given<R> {
 
 /// Speed of b away from a along the normal at point k, m/s.
 #[inline(always)]
-fn parting<R: Real, const P: usize>(t: &Touching<R, P>, k: usize, a: &Side<R>, b: &Side<R>) -> R {
+fn parting<R: Real, I: Inertia<R>, const P: usize>(
+    t: &Touching<R, P>,
+    k: usize,
+    a: &Side<R, I>,
+    b: &Side<R, I>,
+) -> R {
     t.normal
         .dot(b.velocity_at(t.arm_b[k]) - a.velocity_at(t.arm_a[k]))
 }
@@ -246,20 +251,19 @@ fn press<R: Real, const P: usize>(t: &Touching<R, P>, impulse: &Impulses<R, P>) 
 /// now; and whether it counts.
 #[inline(always)]
 #[must_use]
-pub fn press_again<R: Real, const P: usize>(
-    c: &Contact<R, P>,
+pub fn press_again<R: Real, I: Inertia<R>, const P: usize>(
+    t: &Touching<R, P>,
     impulse: &Impulses<R, P>,
-    [a, b]: [Side<R>; 2],
+    [a, b]: [Side<R, I>; 2],
     h: f32,
 ) -> Given<R> {
-    let t = touching(c, &a, &b);
     let mut counts = impulse.presses();
     for k in 0..P {
         counts = counts | t.meets(k, &a, &b, h);
     }
     Given {
         counts: R::ones(counts),
-        ..press(&t, impulse)
+        ..press(t, impulse)
     }
 }
 // ANCHOR_END: press_again
@@ -272,31 +276,30 @@ pub fn press_again<R: Real, const P: usize>(
 /// `before` is how the bodies moved before the kick.
 #[inline(always)]
 #[must_use]
-pub fn solve_pair<R: Real, const P: usize>(
-    c: &Contact<R, P>,
+pub fn solve_pair<R: Real, I: Inertia<R>, const P: usize>(
+    t: &Touching<R, P>,
     surface: &Surface<R>,
     impulse: &mut Impulses<R, P>,
     approach: &mut [R; P],
-    sides: [Side<R>; 2],
+    sides: [Side<R, I>; 2],
     before: impl FnOnce() -> [Before<R>; 2],
     step: &Step,
 ) -> Given<R> {
     let [mut a, mut b] = sides;
-    let t = touching(c, &a, &b);
-    let soon = impacts::note(&t, surface, approach, [&a, &b], before, step);
-    let active = is_active(&t, impulse, &a, &b, step.h);
+    let soon = impacts::note(t, surface, approach, [&a, &b], before, step);
+    let active = is_active(t, impulse, &a, &b, step.h);
     let last = impulse.kept(active);
     let mut now = last;
     let mut given = Given::default();
     if active.any() {
-        let reply = replies(&t, &a, &b);
+        let reply = replies(t, &a, &b);
         let sweeps = if P > 1 { INNER_SWEEPS } else { 1 };
         for _ in 0..sweeps {
-            mend_normals(&t, &mut now, &reply, &mut a, &mut b, step.h);
-            rub::mend(&t, &mut now, surface, &mut a, &mut b);
+            mend_normals(t, &mut now, &reply, &mut a, &mut b, step.h);
+            rub::mend(t, &mut now, surface, &mut a, &mut b);
         }
-        given = press(&t, &now);
-        push::out(&t, &reply, sides, step, &mut given);
+        given = press(t, &now);
+        push::out(t, &reply, sides, step, &mut given);
         given = given.kept(active);
         now = now.kept(active);
     }
@@ -316,7 +319,11 @@ pub fn solve_pair<R: Real, const P: usize>(
 /// with its share of the mass it takes back only a share. For a weight that is right. For an impact it
 /// would leave speed that nobody paid for.
 #[inline(always)]
-fn is_impact<R: Real>(given: &Given<R>, [a, b]: &[Side<R>; 2], step: &Step) -> R::Mask {
+fn is_impact<R: Real, I: Inertia<R>>(
+    given: &Given<R>,
+    [a, b]: &[Side<R, I>; 2],
+    step: &Step,
+) -> R::Mask {
     let changes = given.linear.length() * (a.inverse_mass + b.inverse_mass);
     changes.gt(R::splat(step.impact_speed))
 }
@@ -324,11 +331,11 @@ fn is_impact<R: Real>(given: &Given<R>, [a, b]: &[Side<R>; 2], step: &Step) -> R
 
 /// Whether any point presses, touches or comes. Points that don't press no more.
 #[inline(always)]
-fn is_active<R: Real, const P: usize>(
+fn is_active<R: Real, I: Inertia<R>, const P: usize>(
     t: &Touching<R, P>,
     impulse: &Impulses<R, P>,
-    a: &Side<R>,
-    b: &Side<R>,
+    a: &Side<R, I>,
+    b: &Side<R, I>,
     h: f32,
 ) -> R::Mask {
     (0..P).fold(impulse.presses(), |any, k| any | t.meets(k, a, b, h))
@@ -341,12 +348,16 @@ fn is_active<R: Real, const P: usize>(
 /// row's sum of sizes rather than by its diagonal, no set of points overshoots, and the same four
 /// corners of a box get the same impulses whatever their order.
 #[inline(always)]
-fn replies<R: Real, const P: usize>(t: &Touching<R, P>, a: &Side<R>, b: &Side<R>) -> [R; P] {
+fn replies<R: Real, I: Inertia<R>, const P: usize>(
+    t: &Touching<R, P>,
+    a: &Side<R, I>,
+    b: &Side<R, I>,
+) -> [R; P] {
     let masses = a.shared_mass + b.shared_mass;
     let crossed: [_; P] = array_of(|k| [t.arm_a[k].cross(t.normal), t.arm_b[k].cross(t.normal)]);
     array_of(|k| {
-        let turned_a = a.shared_inertia.times(crossed[k][0]);
-        let turned_b = b.shared_inertia.times(crossed[k][1]);
+        let turned_a = a.shared_inertia.answer(crossed[k][0]);
+        let turned_b = b.shared_inertia.answer(crossed[k][1]);
         let reply =
             |[on_a, on_b]: &[Vec3<R>; 2]| (masses + on_a.dot(turned_a) + on_b.dot(turned_b)).abs();
         let sum = crossed.iter().fold(R::splat(0.0), |sum, j| sum + reply(j));
@@ -359,12 +370,12 @@ fn replies<R: Real, const P: usize>(t: &Touching<R, P>, a: &Side<R>, b: &Side<R>
 /// Mends the normal impulses of all points at once. A point that is still apart may come as near as it
 /// touches; impulses may be taken back but never pull.
 #[inline(always)]
-fn mend_normals<R: Real, const P: usize>(
+fn mend_normals<R: Real, I: Inertia<R>, const P: usize>(
     t: &Touching<R, P>,
     impulse: &mut Impulses<R, P>,
     reply: &[R; P],
-    a: &mut Side<R>,
-    b: &mut Side<R>,
+    a: &mut Side<R, I>,
+    b: &mut Side<R, I>,
     h: f32,
 ) {
     let zero = R::splat(0.0);
@@ -379,11 +390,11 @@ fn mend_normals<R: Real, const P: usize>(
 
 /// What impulses along the normal make of both bodies.
 #[inline(always)]
-fn take_normals<R: Real, const P: usize>(
+fn take_normals<R: Real, I: Inertia<R>, const P: usize>(
     t: &Touching<R, P>,
     changes: &[R; P],
-    a: &mut Side<R>,
-    b: &mut Side<R>,
+    a: &mut Side<R, I>,
+    b: &mut Side<R, I>,
 ) -> [Vec3<R>; 3] {
     let mut linear = Vec3::zero();
     let mut turning_a = Vec3::zero();

@@ -59,6 +59,32 @@ impl<R: Real> Mul<Vec3<R>> for Mat3<R> {
     }
 }
 
+// ANCHOR: inertia
+/// How a body answers to turning impulses: a matrix in general, a number for a ball.
+pub trait Inertia<R: Real>: Copy {
+    /// I⁻¹ T: what a turning impulse makes of the spin.
+    fn answer(self, turning: Vec3<R>) -> Vec3<R>;
+}
+
+impl<R: Real> Inertia<R> for Symmetric<R> {
+    #[inline(always)]
+    fn answer(self, turning: Vec3<R>) -> Vec3<R> {
+        self.times(turning)
+    }
+}
+
+/// That of a ball: the same about each axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Round<R>(pub R);
+
+impl<R: Real> Inertia<R> for Round<R> {
+    #[inline(always)]
+    fn answer(self, turning: Vec3<R>) -> Vec3<R> {
+        turning * self.0
+    }
+}
+// ANCHOR_END: inertia
+
 /// A symmetric matrix in each lane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Symmetric<R> {

@@ -1,12 +1,12 @@
 //! Impacts: how fast they come, and restitution.
 
 use super::{
-    BOUNCE_SWEEPS, Before, Contact, Given, Impulses, Surface, Touching, parting, press, replies,
-    rub, take_normals, touching,
+    BOUNCE_SWEEPS, Before, Given, Impulses, Surface, Touching, parting, press, replies, rub,
+    take_normals,
 };
 use crate::own_row::side::Side;
 use crate::rows::Step;
-use crate::simd::{Mask, Real, Vec3, array_of};
+use crate::simd::{Inertia, Mask, Real, Vec3, array_of};
 
 // ANCHOR: note_impacts
 // ANCHOR: impact_speed
@@ -16,11 +16,11 @@ use crate::simd::{Mask, Real, Vec3, array_of};
 /// The speed is that at the surface: u² = c² + 2 a s, where c is the speed of approach before the substep's
 /// kick, a the acceleration of approach, and s the gap that is left.
 #[inline(always)]
-pub(super) fn note<R: Real, const P: usize>(
+pub(super) fn note<R: Real, I: Inertia<R>, const P: usize>(
     t: &Touching<R, P>,
     surface: &Surface<R>,
     approach: &mut [R; P],
-    [a, b]: [&Side<R>; 2],
+    [a, b]: [&Side<R, I>; 2],
     before: impl FnOnce() -> [Before<R>; 2],
     step: &Step,
 ) -> R::Mask {
@@ -61,10 +61,15 @@ fn parting_before<R: Real, const P: usize>(
 
 /// The acceleration with which gravity brings a and b together along the normal, m/s².
 #[inline(always)]
-fn closing_pull<R: Real>(normal: Vec3<R>, a: &Side<R>, b: &Side<R>, gravity: glam::Vec3) -> R {
+fn closing_pull<R: Real, I: Inertia<R>>(
+    normal: Vec3<R>,
+    a: &Side<R, I>,
+    b: &Side<R, I>,
+    gravity: glam::Vec3,
+) -> R {
     let zero = R::splat(0.0);
     let pull = Vec3::all(gravity).dot(normal);
-    let falls = |side: &Side<R>| R::select(side.inverse_mass.gt(zero), pull, zero);
+    let falls = |side: &Side<R, I>| R::select(side.inverse_mass.gt(zero), pull, zero);
     falls(a) - falls(b)
 }
 // ANCHOR_END: note_impacts
@@ -87,28 +92,27 @@ pub fn bounces<R: Real, const P: usize>(
 /// with e u; and the friction that goes with it. Shares are those among the pairs that bounce.
 #[inline(always)]
 #[must_use]
-pub fn restore_pair<R: Real, const P: usize>(
-    c: &Contact<R, P>,
+pub fn restore_pair<R: Real, I: Inertia<R>, const P: usize>(
+    t: &Touching<R, P>,
     surface: &Surface<R>,
     approach: &[R; P],
-    [mut a, mut b]: [Side<R>; 2],
+    [mut a, mut b]: [Side<R, I>; 2],
     step: &Step,
 ) -> Given<R> {
     let zero = R::splat(0.0);
-    let t = touching(c, &a, &b);
-    let reply = replies(&t, &a, &b);
+    let reply = replies(t, &a, &b);
     let mut added = Impulses::<R, P>::default();
     let least = R::splat(-step.restitution_threshold);
     for _ in 0..BOUNCE_SWEEPS {
         let changes = array_of(|k| {
-            let lacks = -surface.restitution * approach[k] - parting(&t, k, &a, &b);
+            let lacks = -surface.restitution * approach[k] - parting(t, k, &a, &b);
             let wanted = (added.normal[k] + lacks / reply[k]).max(zero);
             R::select(approach[k].lt(least), wanted, zero) - added.normal[k]
         });
         added.add(&changes);
-        take_normals(&t, &changes, &mut a, &mut b);
-        rub::mend(&t, &mut added, surface, &mut a, &mut b);
+        take_normals(t, &changes, &mut a, &mut b);
+        rub::mend(t, &mut added, surface, &mut a, &mut b);
     }
-    press(&t, &added).kept(bounces(approach, surface, step))
+    press(t, &added).kept(bounces(approach, surface, step))
 }
 // ANCHOR_END: restore_pair

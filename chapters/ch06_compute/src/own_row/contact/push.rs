@@ -4,16 +4,16 @@ use super::{Given, Touching, parting, take_normals};
 use crate::own_row::contact::INNER_SWEEPS;
 use crate::own_row::side::Side;
 use crate::rows::Step;
-use crate::simd::{Real, Vec3, array_of};
+use crate::simd::{Inertia, Real, Vec3, array_of};
 
 // ANCHOR: push_out
 /// Pushes bodies that are inside each other apart: a velocity that moves them in this substep and is
 /// then forgotten, so that no speed is left of it.
 #[inline(always)]
-pub(super) fn out<R: Real, const P: usize>(
+pub(super) fn out<R: Real, I: Inertia<R>, const P: usize>(
     t: &Touching<R, P>,
     reply: &[R; P],
-    [mut a, mut b]: [Side<R>; 2],
+    [mut a, mut b]: [Side<R, I>; 2],
     step: &Step,
     given: &mut Given<R>,
 ) {

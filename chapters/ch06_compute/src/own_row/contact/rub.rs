@@ -2,18 +2,18 @@
 
 use super::{Impulses, SMALL, Surface, Touching};
 use crate::own_row::side::Side;
-use crate::simd::{Real, Vec3};
+use crate::simd::{Inertia, Real, Vec3};
 
 // ANCHOR: mend_friction
 /// Mends friction at the mean of the points: against sliding, and against turning about the normal.
 /// Static friction holds as long as μ_s allows; beyond it the pair slips and kinetic friction is left.
 #[inline(always)]
-pub(super) fn mend<R: Real, const P: usize>(
+pub(super) fn mend<R: Real, I: Inertia<R>, const P: usize>(
     t: &Touching<R, P>,
     impulse: &mut Impulses<R, P>,
     surface: &Surface<R>,
-    a: &mut Side<R>,
-    b: &mut Side<R>,
+    a: &mut Side<R, I>,
+    b: &mut Side<R, I>,
 ) {
     let pressed = impulse.pressed();
     if P > 1 {
@@ -43,17 +43,17 @@ fn coulomb<R: Real>(held: Vec3<R>, pressed: R, surface: &Surface<R>) -> Vec3<R> 
 
 /// Friction against turning about the normal, with the points' spread as its arm.
 #[inline(always)]
-fn mend_twist<R: Real, const P: usize>(
+fn mend_twist<R: Real, I: Inertia<R>, const P: usize>(
     t: &Touching<R, P>,
     impulse: &mut Impulses<R, P>,
     surface: &Surface<R>,
     pressed: R,
-    a: &mut Side<R>,
-    b: &mut Side<R>,
+    a: &mut Side<R, I>,
+    b: &mut Side<R, I>,
 ) {
     let reply = t
         .normal
-        .dot(a.shared_inertia.times(t.normal) + b.shared_inertia.times(t.normal));
+        .dot(a.shared_inertia.answer(t.normal) + b.shared_inertia.answer(t.normal));
     let rate = t.normal.dot(b.angular_velocity - a.angular_velocity);
     let most = surface.friction * pressed * t.spread;
     let last = impulse.twist;
@@ -67,11 +67,15 @@ fn mend_twist<R: Real, const P: usize>(
 /// The larger of what a unit impulse makes of the sliding speed in two directions across the normal,
 /// 1/kg.
 #[inline(always)]
-fn sliding_reply<R: Real, const P: usize>(t: &Touching<R, P>, a: &Side<R>, b: &Side<R>) -> R {
+fn sliding_reply<R: Real, I: Inertia<R>, const P: usize>(
+    t: &Touching<R, P>,
+    a: &Side<R, I>,
+    b: &Side<R, I>,
+) -> R {
     let along = |direction: Vec3<R>| {
         let on_a = t.mean_a.cross(direction);
         let on_b = t.mean_b.cross(direction);
-        on_a.dot(a.shared_inertia.times(on_a)) + on_b.dot(b.shared_inertia.times(on_b))
+        on_a.dot(a.shared_inertia.answer(on_a)) + on_b.dot(b.shared_inertia.answer(on_b))
     };
     let [one, two] = across(t.normal);
     a.shared_mass + b.shared_mass + along(one).max(along(two))

@@ -3,7 +3,7 @@
 use super::SMALL;
 use crate::own_row::side::Side;
 use crate::rows::{FIXED, Manifold, ROUND, WITH_A, WITH_B};
-use crate::simd::{Mask, Real, Vec3, array_of};
+use crate::simd::{Inertia, Mask, Real, Vec3, array_of};
 
 // ANCHOR: contact
 /// Where bodies touch, a pair a lane: what stays so for a step. [`Manifold`] tells what the numbers are.
@@ -66,10 +66,10 @@ pub struct Touching<R, const P: usize> {
 /// that what one body gains in angular momentum the other loses.
 #[inline(always)]
 #[must_use]
-pub fn touching<R: Real, const P: usize>(
+pub fn touching<R: Real, I: Inertia<R>, const P: usize>(
     c: &Contact<R, P>,
-    a: &Side<R>,
-    b: &Side<R>,
+    a: &Side<R, I>,
+    b: &Side<R, I>,
 ) -> Touching<R, P> {
     let apart = b.position - a.position;
     let cores: [_; P] = array_of(|k| {
@@ -123,11 +123,11 @@ fn middle<R: Real, const P: usize>(
 
 /// The normal for bodies where they are now.
 #[inline(always)]
-fn normal_now<R: Real, const P: usize>(
+fn normal_now<R: Real, I: Inertia<R>, const P: usize>(
     c: &Contact<R, P>,
     cores: &[[Vec3<R>; 2]; P],
-    a: &Side<R>,
-    b: &Side<R>,
+    a: &Side<R, I>,
+    b: &Side<R, I>,
 ) -> Vec3<R> {
     match c.turns {
         WITH_A => a.attitude.rotate(c.normal),
@@ -145,18 +145,61 @@ fn normal_now<R: Real, const P: usize>(
 }
 // ANCHOR_END: touching
 
+// ANCHOR: touching_balls
+/// [`touching`] for two balls: the point lies on the line between their centres.
+#[inline(always)]
+#[must_use]
+pub fn touching_balls<R: Real, I: Inertia<R>>(
+    c: &Contact<R, 1>,
+    a: &Side<R, I>,
+    b: &Side<R, I>,
+) -> Touching<R, 1> {
+    let apart = b.position - a.position;
+    let length = apart.length();
+    let is_line = length.gt(R::splat(SMALL));
+    let along = apart * R::select(is_line, length, R::splat(1.0)).recip();
+    let normal = Vec3::select(is_line, along, c.normal);
+    let reach = c.round_a + c.round_b;
+    let distance = length - reach;
+    let arm_a = normal * (c.round_a + distance * R::splat(0.5));
+    let arm_b = arm_a - apart;
+    Touching {
+        normal,
+        distance: [distance],
+        arm_a: [arm_a],
+        arm_b: [arm_b],
+        mean_a: arm_a,
+        mean_b: arm_b,
+        spread: R::splat(0.0),
+        reach,
+    }
+}
+// ANCHOR_END: touching_balls
+
 impl<R: Real, const P: usize> Touching<R, P> {
     /// Whether the bodies touch at point k, or come to within `h` seconds.
     #[inline(always)]
     #[must_use]
-    pub fn meets(&self, k: usize, a: &Side<R>, b: &Side<R>, h: f32) -> R::Mask {
+    pub fn meets<I: Inertia<R>>(
+        &self,
+        k: usize,
+        a: &Side<R, I>,
+        b: &Side<R, I>,
+        h: f32,
+    ) -> R::Mask {
         self.distance[k].le(R::splat(0.0)) | self.comes(k, a, b, h)
     }
 
     /// Whether the bodies come so near within `h` seconds that they touch at point k.
     #[inline(always)]
     #[must_use]
-    pub fn comes(&self, k: usize, a: &Side<R>, b: &Side<R>, h: f32) -> R::Mask {
+    pub fn comes<I: Inertia<R>>(
+        &self,
+        k: usize,
+        a: &Side<R, I>,
+        b: &Side<R, I>,
+        h: f32,
+    ) -> R::Mask {
         let speed = super::parting(self, k, a, b);
         let near = (self.distance[k] + speed * R::splat(h)).le(R::splat(0.0));
         let apart = near & self.distance[k].gt(R::splat(0.0)) & self.reach.gt(R::splat(0.0));
@@ -171,7 +214,7 @@ impl<R: Real, const P: usize> Touching<R, P> {
     /// core points come is farther than both radii. Without it a fast ball would be stopped by what it flies
     /// past, or share its mass with it, and be stopped too little by what it hits.
     #[inline(always)]
-    fn passes(&self, k: usize, a: &Side<R>, b: &Side<R>, h: f32) -> R::Mask {
+    fn passes<I: Inertia<R>>(&self, k: usize, a: &Side<R, I>, b: &Side<R, I>, h: f32) -> R::Mask {
         let apart = self.normal * (self.distance[k] + self.reach);
         let moves = (b.velocity_at(self.arm_b[k]) - a.velocity_at(self.arm_a[k])) * R::splat(h);
         let part = -apart.dot(moves) / moves.length_squared().max(R::splat(SMALL));
