@@ -245,6 +245,7 @@ impl<R: Real> Lanes<R> {
     // ANCHOR: advance
     /// Every body moves.
     fn advance(&mut self, step: &Step) {
+        self.joints.note_floating(&self.gathered);
         let least = self.least_blocks();
         let (gathered, joints) = (&self.gathered, &self.joints);
         let mut movers = Movers::of(&mut self.bodies, least);

@@ -29,6 +29,8 @@ pub struct Joints<R = Eight> {
     tree_of: Vec<u32>,
     /// By joint that closes a loop.
     pressed: Vec<Press>,
+    /// By tree: whether nothing holds it up.
+    floating: Vec<bool>,
 }
 
 impl<R: Real> Joints<R> {
@@ -42,6 +44,7 @@ impl<R: Real> Joints<R> {
             joined: vec![Held::default(); scene.bodies.len()],
             tree_of: trees_of(&trees, scene.bodies.len()),
             pressed: vec![Press::default(); trees.loops.len()],
+            floating: Vec::new(),
             trees,
         }
     }
@@ -114,17 +117,24 @@ impl<R: Real> Joints<R> {
     }
 
     // ANCHOR: floats
+    /// Notes which trees nothing holds up: nothing touches any of their bodies, and none hangs on the world.
+    pub fn note_floating(&mut self, gathered: &[Gathered]) {
+        let free = |row: usize| gathered[row].touches == 0.0;
+        self.floating.clear();
+        for tree in &self.trees.trees {
+            let nodes = &self.trees.nodes[tree.clone()];
+            let floats = nodes[0].kind == FREE && nodes.iter().filter_map(Node::row).all(free);
+            self.floating.push(floats);
+        }
+    }
+
     /// Whether nothing holds a body up: nothing touches it, nor any that hangs together with it, and none of
     /// them hangs on the world.
     #[must_use]
     pub fn floats(&self, row: usize, gathered: &[Gathered]) -> bool {
-        let free = |row: usize| gathered[row].touches == 0.0;
         match self.tree_of.get(row) {
-            Some(&tree) if tree != ALONE => {
-                let nodes = &self.trees.nodes[self.trees.trees[tree as usize].clone()];
-                nodes[0].kind == FREE && nodes.iter().filter_map(Node::row).all(free)
-            }
-            _ => free(row),
+            Some(&tree) if tree != ALONE => self.floating[tree as usize],
+            _ => gathered[row].touches == 0.0,
         }
     }
     // ANCHOR_END: floats
