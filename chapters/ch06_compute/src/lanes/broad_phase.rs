@@ -106,7 +106,8 @@ impl BroadPhase {
 /// The pairs that may touch within `dt`, in order of row. Two bodies that can't move are no pair, and one that
 /// isn't at a finite place has none.
 pub fn find_pairs(bodies: &Bodies, dt: f32, broad: &mut BroadPhase) {
-    let threads = bodies.rows() >= THREADED && rayon::current_num_threads() > 1;
+    // Outside of a run's threads Rayon would wake its own, as many as there are cores.
+    let threads = bodies.rows() >= THREADED && rayon::current_thread_index().is_some();
     let known = broad.rooms.len() == bodies.rows();
     bound(bodies, dt, threads, broad);
     if known && broad.leavers.are_few(bodies.rows(), &broad.candidates) {

@@ -88,7 +88,8 @@ impl<R: Real> Limits<R> {
             let solve = |(batch, turned): (&mut Batch<R>, &mut [Turned])| {
                 batch.solve(bodies, turned, h);
             };
-            if batches.len() < FEW {
+            // Outside of a run's threads Rayon would wake its own, as many as there are cores.
+            if batches.len() < FEW || rayon::current_thread_index().is_none() {
                 let rows = turned.chunks_mut(R::LANES);
                 batches.iter_mut().zip(rows).for_each(solve);
             } else {

@@ -311,7 +311,8 @@ fn solve_all<R: Real>(
     let solve = |walked: &mut Vec<Walked<R>>, batch: &mut Batch<R>| {
         solve_tree(batch, bodies, joined, walked, h);
     };
-    if batches.len() < FEW {
+    // Outside of a run's threads Rayon would wake its own, as many as there are cores.
+    if batches.len() < FEW || rayon::current_thread_index().is_none() {
         for batch in batches {
             solve(walked, batch);
         }
