@@ -48,7 +48,6 @@ fn material_of(pair: u32) -> Material {
     );
 }
 
-// ANCHOR: solve
 @compute @workgroup_size(WORKGROUP)
 fn pair_solve(@builtin(global_invocation_id) id: vec3u) {
     let row = row_index(id);
@@ -78,6 +77,8 @@ fn solve_limit_row(row: u32) {
     turned[row] = solved.gives;
 }
 
+// ANCHOR: solve
+// A pair whose points press or may touch: its row and its bodies' rows were noted when the step began.
 fn solve_live(noted: vec4u) {
     let pair = noted.x;
     var m = manifold_of(pair, noted.w);

@@ -268,10 +268,10 @@ pub fn press_again<R: Real, I: Inertia<R>, const P: usize>(
 }
 // ANCHOR_END: press_again
 
-// ANCHOR: solve_pair
 /// A substep of a pair: it mends its impulses so that the bodies, with the share of their masses that
 /// it has, no longer approach where they touch, and don't slide where friction holds them.
 ///
+// ANCHOR: solve_pair
 /// `approach` keeps the fastest impact of the step at each point, m/s, negative, for [`restore_pair`].
 /// `before` is how the bodies moved before the kick.
 #[inline(always)]
@@ -387,6 +387,7 @@ fn mend_normals<R: Real, I: Inertia<R>, const P: usize>(
     impulse.add(&changes);
     take_normals(t, &changes, a, b);
 }
+// ANCHOR_END: mend_normals
 
 /// What impulses along the normal make of both bodies.
 #[inline(always)]
@@ -409,4 +410,3 @@ fn take_normals<R: Real, I: Inertia<R>, const P: usize>(
     b.take(linear, turning_b);
     [linear, turning_a, turning_b]
 }
-// ANCHOR_END: mend_normals

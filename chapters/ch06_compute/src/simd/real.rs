@@ -14,7 +14,6 @@ pub type Eight = f32x8;
 /// The most lanes that a number has here.
 pub const MOST_LANES: usize = 8;
 
-// ANCHOR: real
 /// A number in each lane.
 pub trait Real:
     Copy
@@ -32,6 +31,7 @@ pub trait Real:
     + SubAssign
     + MulAssign
 {
+    // ANCHOR: real
     /// Yes or no in each lane.
     type Mask: Mask;
 
@@ -52,6 +52,7 @@ pub trait Real:
 
     /// The way back. Rows behind the last lane are nothing.
     fn to_rows(columns: [Self; 4]) -> [[f32; 4]; MOST_LANES];
+    // ANCHOR_END: real
 
     /// Without its sign.
     #[must_use]
@@ -73,6 +74,7 @@ pub trait Real:
     #[must_use]
     fn min(self, other: Self) -> Self;
 
+    // ANCHOR: masks
     /// Where `self` is less than `other`.
     fn lt(self, other: Self) -> Self::Mask;
 
@@ -94,6 +96,7 @@ pub trait Real:
     fn ones(mask: Self::Mask) -> Self {
         Self::select(mask, Self::splat(1.0), Self::splat(0.0))
     }
+    // ANCHOR_END: masks
 
     /// 1/x.
     #[must_use]
@@ -118,7 +121,6 @@ pub trait Mask:
     /// Whether any lane says yes.
     fn any(self) -> bool;
 }
-// ANCHOR_END: real
 
 impl Mask for bool {
     #[inline(always)]

@@ -29,6 +29,7 @@ pub fn sine_cosine<R: Real>(x: R) -> (R, R) {
         R::select(minus_cosine, -cosine, cosine),
     )
 }
+// ANCHOR_END: sine
 
 /// Sine and cosine within ±¼π.
 #[inline(always)]
@@ -47,7 +48,6 @@ fn sine_cosine_near<R: Real>(r: R) -> (R, R) {
         + R::splat(1.0);
     (s, c)
 }
-// ANCHOR_END: sine
 
 /// The arc tangent of t, which is 0 to 1, rad. [Cephes: atanf]
 #[inline(always)]

@@ -75,7 +75,6 @@ pub fn cell_of(point: [f32; 3], inverse: f32) -> Cell {
     })
 }
 
-// ANCHOR: counting_sort
 impl Level {
     /// How many bodies it has.
     pub fn bodies(&self) -> usize {
@@ -142,6 +141,7 @@ impl Level {
         x as usize & ((1 << self.bits[0]) - 1)
     }
 
+    // ANCHOR: counting_sort
     /// Counts the bodies of each slot, two places further on: [`Self::scan`] and [`Self::put`] each bring
     /// the counts one back.
     pub fn count_slot(&mut self, cell: Cell) {
@@ -168,8 +168,8 @@ impl Level {
         self.cells[at] = cell;
         self.bounds[at] = bound;
     }
+    // ANCHOR_END: counting_sort
 }
-// ANCHOR_END: counting_sort
 
 // ANCHOR: half
 /// The lines of cells that follow a cell: half of those about it, so that of two bodies one looks.

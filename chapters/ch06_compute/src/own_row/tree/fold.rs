@@ -91,10 +91,10 @@ pub fn fold<R: Real>(
 // ANCHOR_END: fold
 
 // ANCHOR: fold_point
-// ANCHOR: felt_mass
 /// A joint about whose point the body turns freely: it gives way until no turning impulse is left. What
 /// is felt at the point is the mass K = A − Cᵀ D⁻¹ C.
 #[inline(always)]
+// ANCHOR: felt_mass
 fn fold_point<R: Real>(
     kind: u32,
     link: &Link<R>,
@@ -280,6 +280,7 @@ fn follow_point<R: Real>(link: &Link<R>, kept: &Kept<R>, k: usize, velocity: Vec
     let spin = kept.rest[k] - kept.gain * velocity;
     Rate { velocity, spin }.at(-link.arm)
 }
+// ANCHOR_END: unfold
 
 /// The body's motion on a hinge if the parent moves so there.
 #[inline(always)]
@@ -290,4 +291,3 @@ fn follow_hinge<R: Real>(link: &Link<R>, kept: &Kept<R>, k: usize, here: Rate<R>
     let spin = spin + kept.gain.z * turn;
     Rate { velocity, spin }.at(-link.arm)
 }
-// ANCHOR_END: unfold
