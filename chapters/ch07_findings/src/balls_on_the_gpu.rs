@@ -29,7 +29,7 @@ struct Kind {
 }
 
 /// The engines in the order in which the book builds them.
-const KINDS: [Kind; 4] = [
+const KINDS: [Kind; 5] = [
     Kind {
         engine: "objects",
         name: "corrected on objects",
@@ -49,12 +49,20 @@ const KINDS: [Kind; 4] = [
         deepest: Style::Other(4),
     },
     Kind {
+        engine: ON_THREADS,
+        name: "own-row on threads",
+        style: Style::Other(1),
+        deepest: Style::Other(4),
+    },
+    Kind {
         engine: "compute",
         name: "own-row on the GPU",
         style: Style::Corrected,
         deepest: Style::Other(3),
     },
 ];
+/// Engine `lanes` on more than one thread.
+const ON_THREADS: &str = "lanes on threads";
 /// The last of [`KINDS`].
 const COMPUTE: &str = "compute";
 
@@ -78,6 +86,7 @@ struct Sample {
     engine: String,
     method: String,
     device: String,
+    threads: u32,
     balls: f64,
     /// Steps before the first that was timed.
     settling: u32,
@@ -114,11 +123,16 @@ fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
 
 impl Sample {
     fn of(line: Line) -> Result<Self, FindingsError> {
-        let engine = line.text("engine")?;
         line.one_of("engine", &KINDS.map(|kind| kind.engine))?;
         line.one_of("scene", &[SCENE])?;
+        let threads = line.number("threads")?;
+        let engine = match line.text("engine")? {
+            "lanes" if threads > 1 => ON_THREADS,
+            engine => engine,
+        };
         Ok(Self {
             engine: engine.to_owned(),
+            threads,
             method: line.text("method")?.to_owned(),
             device: line.text("device")?.to_owned(),
             balls: line.positive("count")?,
@@ -179,7 +193,9 @@ fn devices(samples: &[Sample], is_wanted: fn(&str) -> bool) -> String {
 fn machines(samples: &[Sample]) -> String {
     let gpu = devices(samples, |engine| engine == COMPUTE);
     let cpu = devices(samples, |engine| engine != COMPUTE);
-    format!("{gpu}, and one thread of {cpu}")
+    let threads = of(samples, ON_THREADS).map(|sample| sample.threads).max();
+    let more = threads.map_or_else(String::new, |count| format!(" or {count}"));
+    format!("{gpu}, and one thread{more} of {cpu}")
 }
 
 fn times(samples: &[Sample]) -> Chart {
@@ -224,8 +240,9 @@ fn settling<'a>(samples: impl Iterator<Item = &'a Sample>) -> String {
 fn depths(samples: &[Sample]) -> Chart {
     let mut series = Vec::new();
     for kind in &KINDS {
-        // Properties have the bits of objects, and more balls.
-        let is_twice = kind.engine == "objects" && of(samples, "properties").next().is_some();
+        // Properties have the bits of objects, and more balls; and threads change no bit.
+        let is_twice = kind.engine == "objects" && of(samples, "properties").next().is_some()
+            || kind.engine == ON_THREADS;
         if is_twice || of(samples, kind.engine).next().is_none() {
             continue;
         }
@@ -266,7 +283,7 @@ fn asked(sample: &Sample) -> Option<f64> {
 
 fn csv(samples: &[Sample]) -> String {
     let mut text =
-        "engine,method,device,balls,settling_steps,ms_a_step,least_ms,largest_ms,asked_ms,\
+        "engine,method,device,threads,balls,settling_steps,ms_a_step,least_ms,largest_ms,asked_ms,\
         growth_exponent_from_10000,p99_of_r,deepest_of_r,gone\n"
             .to_owned();
     for s in samples {
@@ -275,10 +292,11 @@ fn csv(samples: &[Sample]) -> String {
         // Writing into a String can't fail.
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{:?},{:?},{:?},{},{},{:?},{:?},{}",
+            "{},{},{},{},{},{},{:?},{:?},{:?},{},{},{:?},{:?},{}",
             s.engine,
             s.method,
             draw::quoted(&s.device),
+            s.threads,
             s.balls,
             s.settling,
             s.ms[0],
@@ -298,6 +316,7 @@ fn page(samples: &[Sample], origin: &str) -> String {
     let mut table = Table::new(&[
         "engine",
         "method",
+        "threads",
         "balls",
         "settled (steps)",
         "ms/step",
@@ -313,6 +332,7 @@ fn page(samples: &[Sample], origin: &str) -> String {
         table.push(vec![
             s.engine.clone(),
             s.method.clone(),
+            s.threads.to_string(),
             grouped(s.balls),
             s.settling.to_string(),
             three_digits(s.ms[0]),
@@ -333,7 +353,7 @@ fn page(samples: &[Sample], origin: &str) -> String {
          are relative to the smaller ball's radius R. Gone: balls that left the box, or have numbers that are \
          not finite.{growth}\n\n{table}",
         machines = machines(samples),
-        table = table.markdown(2),
+        table = table.markdown(3),
     )
 }
 
@@ -349,7 +369,7 @@ mod tests {
     use super::*;
     use crate::chart::Picture;
 
-    const NAMES: &str = "scene,count,engine,method,device,settle_steps,ms_median,ms_fastest,ms_slowest,escaped,\
+    const NAMES: &str = "scene,count,engine,method,device,threads,settle_steps,ms_median,ms_fastest,ms_slowest,escaped,\
                          not_finite,p99_of_r,max_of_r\n";
 
     fn drawn_from(lines: &str) -> Result<Product, FindingsError> {
@@ -367,8 +387,8 @@ mod tests {
     #[test]
     fn a_hundred_times_the_balls_in_a_hundred_times_the_time_grow_by_one() {
         let made = drawn_from(
-            "pile,1000000,compute,own-row,Card,300,20,19,21,0,0,0.004,0.03\n\
-             pile,10000,compute,own-row,Card,300,0.2,0.1,0.3,0,0,0.004,0.02\n",
+            "pile,1000000,compute,own-row,Card,1,300,20,19,21,0,0,0.004,0.03\n\
+             pile,10000,compute,own-row,Card,1,300,0.2,0.1,0.3,0,0,0.004,0.02\n",
         );
         let made = made.expect("a table");
         let title = &curves(&made.charts[0]).title;
@@ -379,7 +399,7 @@ mod tests {
         assert!(title.contains("Card"), "{title}");
         let last = made.csv.lines().last().expect("two lines");
         assert!(
-            last.starts_with("compute,own-row,Card,1000000,300,20.0,19.0,21.0,2.5,1.0"),
+            last.starts_with("compute,own-row,Card,1,1000000,300,20.0,19.0,21.0,2.5,1.0"),
             "{last}"
         );
     }
@@ -387,16 +407,20 @@ mod tests {
     #[test]
     fn every_engine_has_its_curves_and_equal_bits_are_drawn_once() {
         let made = drawn_from(
-            "pile,100,objects,corrected,C P U,300,1,1,1,0,0,0.1,0.2\n\
-             pile,100,properties,corrected,C P U,300,1,1,1,0,0,0.1,0.2\n\
-             pile,100,lanes,own-row,C P U,300,1,1,1,0,0,0.1,0.2\n\
-             pile,100,compute,own-row,Card,300,1,1,1,1,2,0.1,0.2\n",
+            "pile,100,objects,corrected,C P U,1,300,1,1,1,0,0,0.1,0.2\n\
+             pile,100,properties,corrected,C P U,1,300,1,1,1,0,0,0.1,0.2\n\
+             pile,100,lanes,own-row,C P U,1,300,1,1,1,0,0,0.1,0.2\n\
+             pile,100,lanes,own-row,C P U,4,300,1,1,1,0,0,0.1,0.2\n\
+             pile,100,compute,own-row,Card,1,300,1,1,1,1,2,0.1,0.2\n",
         );
         let made = made.expect("a table");
         assert_eq!(curves(&made.charts[0]).series.len(), KINDS.len() + 1);
         assert_eq!(curves(&made.charts[1]).series.len(), 3 * 2 + 2);
         let page = made.page.expect("there is one");
-        assert!(page.contains("Card, and one thread of C P U"), "{page}");
+        assert!(
+            page.contains("Card, and one thread or 4 of C P U"),
+            "{page}"
+        );
         assert!(
             page.lines()
                 .last()
@@ -409,10 +433,10 @@ mod tests {
     #[test]
     fn other_scenes_and_engines_are_refused() {
         for (line, word) in [
-            ("balls,100,lanes,own-row,C,300,1,1,1,0,0,0,0", "`scene`"),
-            ("pile,100,wheels,own-row,C,300,1,1,1,0,0,0,0", "`engine`"),
-            ("pile,,lanes,own-row,C,300,1,1,1,0,0,0,0", "`count`"),
-            ("pile,100,lanes,own-row,C,300,1,1,1,0,0,,0", "`p99_of_r`"),
+            ("balls,100,lanes,own-row,C,1,300,1,1,1,0,0,0,0", "`scene`"),
+            ("pile,100,wheels,own-row,C,1,300,1,1,1,0,0,0,0", "`engine`"),
+            ("pile,,lanes,own-row,C,1,300,1,1,1,0,0,0,0", "`count`"),
+            ("pile,100,lanes,own-row,C,1,300,1,1,1,0,0,,0", "`p99_of_r`"),
         ] {
             let error = drawn_from(line).expect_err("it is no such line");
             let message = error.to_string();
