@@ -16,6 +16,7 @@ pub mod friction;
 pub mod integrate;
 mod kept;
 mod lab;
+pub mod lanes_roofline;
 pub mod left_out;
 pub mod limbs;
 pub mod mass_ratio;

@@ -7,8 +7,8 @@ use crate::chart::{Chart, Picture};
 use crate::errata::ERRATA;
 use crate::{
     FindingsError, architecture_method_hardware, balls_on_the_gpu, bounce, broad_phase, chain,
-    columns, draw, friction, integrate, left_out, limbs, mass_ratio, ragdoll_run, round_trip,
-    stack, sweeps, table1, table2, tunnelling,
+    columns, draw, friction, integrate, lanes_roofline, left_out, limbs, mass_ratio, ragdoll_run,
+    round_trip, stack, sweeps, table1, table2, tunnelling,
 };
 
 /// Where a measurement tells how far it is.
@@ -46,7 +46,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 18] = [
+const MEASURED: [(&str, &str, Measure); 19] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -136,6 +136,11 @@ const MEASURED: [(&str, &str, Measure); 18] = [
         "balls_on_the_gpu",
         "up to a million balls on the GPU and before it, from a table kept in the book",
         balls_on_the_gpu::product,
+    ),
+    (
+        "lanes_roofline",
+        "what a thread can do, and how near to it lanes come, from a table kept in the book",
+        lanes_roofline::product,
     ),
 ];
 

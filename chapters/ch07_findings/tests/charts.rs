@@ -182,6 +182,7 @@ fn the_files_of_the_book_are_what_their_kept_tables_say() {
     let ran = chart(&[
         "round_trip",
         "balls_on_the_gpu",
+        "lanes_roofline",
         "--out",
         words(folder.path()),
     ]);
@@ -192,7 +193,7 @@ fn the_files_of_the_book_are_what_their_kept_tables_say() {
         let text = |path: &Path| std::fs::read_to_string(path).unwrap_or_default();
         assert!(
             text(&file.path()) == text(&in_book),
-            "{} is out of date: `cargo chart round_trip balls_on_the_gpu`",
+            "{} is out of date: `cargo chart round_trip balls_on_the_gpu lanes_roofline`",
             in_book.display()
         );
     }
