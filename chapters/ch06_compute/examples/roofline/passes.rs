@@ -16,6 +16,9 @@ use glam::{Quat, Vec3};
 /// The passes that a substep may have, in order.
 pub const PASSES: [&str; 6] = ["pairs", "limits", "gather", "bodies", "exchange", "trees"];
 
+/// The kind of a pair of balls.
+const TWO_BALLS: u32 = 0;
+
 /// One thread does all.
 const ALL: usize = usize::MAX;
 
@@ -121,7 +124,7 @@ pub fn bytes(pass: &str, lanes: &Lanes) -> u64 {
     let nodes = lanes.joints.trees.nodes.len() as u64;
     let kick = MOVER + momentum + row::<Seen>();
     match pass {
-        "pairs" => batches(lanes) + pairs * (2 * SIDE + row::<Press>()),
+        "pairs" => batches(lanes) + pairs * row::<Press>(),
         "limits" => limits * (lane::<Bounds<Eight>>() + 2 * SIDE + 2 * row::<Turned>()),
         "gather" => {
             let entries = 2 * pairs * (row::<u32>() + row::<Press>());
@@ -148,7 +151,10 @@ pub fn bytes(pass: &str, lanes: &Lanes) -> u64 {
 }
 // ANCHOR_END: bytes
 
-/// Bytes of the pairs' own rows: all of a batch is read, and its impulses are written.
+/// What a pair of balls reads of a body: no attitude, and one number of the inverse inertia.
+const BALL: u64 = SIDE - row::<Quat>() - 2 * row::<f32>();
+
+/// Bytes of the pairs' own rows and of their bodies': all of a batch is read, and its impulses are written.
 fn batches(lanes: &Lanes) -> u64 {
     let each = |points: u32| match points {
         1 => of_pair::<1>(),
@@ -157,7 +163,9 @@ fn batches(lanes: &Lanes) -> u64 {
         _ => of_pair::<4>(),
     };
     let all = lanes.pairs.manifold.iter();
-    all.map(|manifold| each(manifold.points)).sum()
+    let sides = |kind: u32| if kind == TWO_BALLS { BALL } else { SIDE };
+    all.map(|manifold| each(manifold.points) + 2 * sides(manifold.kind))
+        .sum()
 }
 
 const fn of_pair<const P: usize>() -> u64 {

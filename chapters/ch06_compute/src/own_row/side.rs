@@ -50,6 +50,7 @@ impl<R: Real> Side<R> {
         }
     }
 }
+// ANCHOR_END: side_of
 
 impl<R: Real> Side<R, Round<R>> {
     /// The same for balls: their attitude is of no matter.
@@ -88,4 +89,3 @@ impl<R: Real, I: Inertia<R>> Side<R, I> {
         self.velocity + self.angular_velocity.cross(arm)
     }
 }
-// ANCHOR_END: side_of
