@@ -1,8 +1,8 @@
 //! How long a step of a settled heap takes, and how good the heap is: a line of CSV for each size.
 //!
 //! `cargo run --release -p ch06_compute --no-default-features --example pile -- [--engine NAME]
-//! [--scene NAME] [--counts N,N,…] [--settle STEPS] [--steps STEPS] [--substeps N] [--threads N]
-//! [--csv FILE]`
+//! [--method NAME] [--scene NAME] [--counts N,N,…] [--settle STEPS] [--steps STEPS] [--substeps N]
+//! [--threads N] [--csv FILE]`
 //!
 //! A scene is loaded, makes its settling steps, and then the timed ones in five batches, of which the
 //! median, the fastest and the slowest are told, ms a step. Nothing is read back before a batch is done.
@@ -105,6 +105,7 @@ impl Options {
             }
             "--settle" => self.settle = value.parse()?,
             "--steps" => self.steps = value.parse()?,
+            "--method" => self.settings.method = Some(value.to_owned()),
             "--substeps" => self.settings.substeps = Some(value.parse()?),
             "--threads" => self.settings.threads = Some(value.parse()?),
             "--csv" => self.csv = Some(value.to_owned()),

@@ -71,6 +71,12 @@ impl Bodies {
         self.place.len()
     }
 
+    /// Whether an impulse changes how a body moves: it has a mass, or turns about a fixed point.
+    #[must_use]
+    pub fn moves(&self, row: usize) -> bool {
+        self.spin[row].inverse_mass > 0.0 || self.solid[row].inverse_inertia != Vec3::ZERO
+    }
+
     /// Makes static boxes longer where they stand on others.
     pub fn found(&mut self) {
         let is_block = |row: &usize| {

@@ -6,6 +6,7 @@
 
 pub mod batches;
 pub mod broad_phase;
+pub mod coloured;
 mod engine;
 mod explain;
 pub mod forces;
@@ -20,9 +21,10 @@ use ch00_scenes::{Body, Scene, State};
 use crate::bodies::Bodies;
 use crate::own_row::body::Gathered;
 use crate::rows::Step;
-use crate::rules::Rules;
+use crate::rules::{Method, Rules};
 use crate::simd::{Eight, Real};
 use broad_phase::BroadPhase;
+use coloured::Live;
 use forces::Forces;
 use joints::Joints;
 use movers::Movers;
@@ -30,7 +32,7 @@ use pairs::Pairs;
 use threads::Threads;
 use work::{Bounces, PressAgain, Restore, Solve};
 
-pub use engine::{ENGINE, LanesEngine, METHODS, unsupported};
+pub use engine::{ENGINE, LanesEngine, METHODS, OWN_ROW, unsupported};
 
 /// All state of a run, and what a step does with it.
 #[derive(Clone, Debug)]
@@ -53,6 +55,8 @@ pub struct Lanes<R: Real = Eight> {
     pub threads: Threads,
     /// By body: what its pairs did to it in this substep.
     gathered: Vec<Gathered>,
+    /// By body: how it moves by now, while the colours are gone through.
+    live: Live,
 }
 
 impl<R: Real> Lanes<R> {
@@ -74,6 +78,7 @@ impl<R: Real> Lanes<R> {
         Ok(Self {
             threads: Threads::default(),
             gathered: vec![Gathered::default(); bodies.rows()],
+            live: Live::default(),
             joints: Joints::of(scene),
             bodies,
             pairs: Pairs::default(),
@@ -127,9 +132,10 @@ impl<R: Real> Lanes<R> {
         done("narrow phase");
         self.start(&step);
         for substep in 1..=self.rules.substeps {
-            self.solve_pairs(&step);
-            self.joints.solve_rows(&self.bodies, step.h);
-            self.gather();
+            match self.rules.method {
+                Method::OwnRow => self.solve_own_rows(&step),
+                Method::Coloured => self.solve_colours(&step),
+            }
             let kicks = substep < self.rules.substeps;
             if self.is_plain() {
                 self.move_at_once(kicks, &step);
@@ -165,7 +171,16 @@ impl<R: Real> Lanes<R> {
         std::mem::swap(&mut self.pairs, &mut self.last_pairs);
         let (found, last) = (&self.broad.pairs, &self.last_pairs);
         let least = self.threads.least(self.bodies.rows());
-        pairs::meet(found, &self.bodies, dt, last, &mut self.pairs, least);
+        let method = self.rules.method;
+        pairs::meet(
+            found,
+            &self.bodies,
+            dt,
+            last,
+            method,
+            &mut self.pairs,
+            least,
+        );
     }
 
     // ANCHOR: start
@@ -176,6 +191,9 @@ impl<R: Real> Lanes<R> {
         let work = PressAgain { bodies, h: step.h };
         self.pairs.batches.each(least, &work);
         self.gather();
+        if self.rules.method == Method::Coloured {
+            self.share_among_limits();
+        }
         for (row, sum) in self.gathered.iter().enumerate() {
             self.bodies.held[row] = sum.stays;
             self.bodies.motion[row].shares = sum.counts.max(1.0);
@@ -184,11 +202,13 @@ impl<R: Real> Lanes<R> {
     }
     // ANCHOR_END: start
 
-    /// Every pair writes its own impulses.
-    fn solve_pairs(&mut self, step: &Step) {
+    /// Every pair, limit and loop writes its own impulses, all from the same velocities.
+    fn solve_own_rows(&mut self, step: &Step) {
         let bodies = &self.bodies;
         let least = self.least_batches();
         self.pairs.batches.each(least, &Solve { bodies, step });
+        self.joints.solve_rows(&self.bodies, step.h);
+        self.gather();
     }
 
     // ANCHOR: gather
@@ -261,6 +281,10 @@ impl<R: Real> Lanes<R> {
         let bounces = Bounces::of(step);
         self.pairs.batches.each(least, &bounces);
         if !bounces.any() {
+            return;
+        }
+        if self.rules.method == Method::Coloured {
+            self.restore_colours(step);
             return;
         }
         self.gather_pairs();

@@ -35,28 +35,72 @@ pub const SUBSTEPS: u32 = 10;
 /// The same where all that moves are balls that nothing joins: their contacts have one point.
 pub const SUBSTEPS_OF_BALLS: u32 = 8;
 
+/// [`SUBSTEPS`] of the method of colours.
+pub const COLOURED_SUBSTEPS: u32 = 6;
+
+/// [`SUBSTEPS_OF_BALLS`] of the method of colours.
+pub const COLOURED_SUBSTEPS_OF_BALLS: u32 = 3;
+
 /// More than these cost more than any accuracy that f32 has left.
 pub const MOST_SUBSTEPS: u32 = 1000;
 
 /// The coarsest that positions may be, in radii of a body.
 pub const COARSEST: f32 = 0.05;
 
-/// The name of the method.
+/// The name of the method of own rows, which every engine of this chapter has.
 pub const METHOD: &str = "own-row";
+
+/// The name of the method of colours, which the CPU alone has.
+pub const COLOURED: &str = "coloured";
+
+/// How contacts are solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// All pairs at once, each with a share of its bodies' masses.
+    #[default]
+    OwnRow,
+    /// Pairs of one colour at once, which share no body that moves, with its whole mass; a colour after
+    /// another.
+    Coloured,
+}
+
+impl Method {
+    /// What the user asked for.
+    #[must_use]
+    pub fn of(settings: &Settings) -> Self {
+        match settings.method.as_deref() {
+            Some(COLOURED) => Self::Coloured,
+            _ => Self::OwnRow,
+        }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::OwnRow => METHOD,
+            Self::Coloured => COLOURED,
+        }
+    }
+}
 
 /// Parts of a step unless the user says otherwise.
 #[must_use]
-pub fn default_substeps(scene: &Scene) -> u32 {
-    let is_ball = |body: &Body| matches!(body.shape, Shape::Sphere { .. });
-    let balls = scene
-        .bodies
-        .iter()
-        .all(|body| body.is_static() || is_ball(body));
-    if balls && scene.joints.is_empty() {
-        SUBSTEPS_OF_BALLS
-    } else {
-        SUBSTEPS
+pub fn default_substeps(scene: &Scene, method: Method) -> u32 {
+    match (method, only_balls(scene)) {
+        (Method::OwnRow, true) => SUBSTEPS_OF_BALLS,
+        (Method::OwnRow, false) => SUBSTEPS,
+        (Method::Coloured, true) => COLOURED_SUBSTEPS_OF_BALLS,
+        (Method::Coloured, false) => COLOURED_SUBSTEPS,
     }
+}
+
+/// Whether all that moves are balls that nothing joins.
+#[must_use]
+pub fn only_balls(scene: &Scene) -> bool {
+    let is_ball = |body: &Body| matches!(body.shape, Shape::Sphere { .. });
+    let mut bodies = scene.bodies.iter();
+    scene.joints.is_empty() && bodies.all(|body| body.is_static() || is_ball(body))
 }
 
 /// What the scene and the user say about the steps.
@@ -72,14 +116,19 @@ pub struct Rules {
     pub substeps: u32,
     /// [`PUSH_SHARE`], or what an experiment puts in its place.
     pub push_share: f32,
+    /// How contacts are solved.
+    pub method: Method,
+    /// Whether a sweep over the colours goes forth and back rather than forth alone.
+    pub back: bool,
 }
 
 impl Rules {
     /// # Errors
     /// [`LoadError::Setting`] for sweeps, which this method has none of, and for no substeps.
     pub fn of(scene: &Scene, settings: &Settings) -> Result<Self, LoadError> {
+        let method = Method::of(settings);
         let refuse = |setting, value: u32, why: &str| LoadError::Setting {
-            method: METHOD,
+            method: method.name(),
             setting,
             value: value.to_string(),
             why: why.to_owned(),
@@ -88,7 +137,8 @@ impl Rules {
             let why = "it has no sweeps over all contacts; accuracy comes from --substeps";
             return Err(refuse("sweeps", sweeps, why));
         }
-        let substeps = settings.substeps.unwrap_or_else(|| default_substeps(scene));
+        let substeps = settings.substeps;
+        let substeps = substeps.unwrap_or_else(|| default_substeps(scene, method));
         if substeps == 0 || substeps > MOST_SUBSTEPS {
             let why = format!("a step has 1 to {MOST_SUBSTEPS} of them");
             return Err(refuse("substeps", substeps, &why));
@@ -101,6 +151,8 @@ impl Rules {
                 .map_or(RESTITUTION_THRESHOLD, |threshold| threshold as f32),
             substeps,
             push_share: PUSH_SHARE,
+            method,
+            back: !only_balls(scene),
         })
     }
 

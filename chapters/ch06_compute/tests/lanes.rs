@@ -23,9 +23,13 @@ fn open(name: &str, count: Option<u64>) -> Scene {
     Scene::open(name, count, None).expect("a built-in scene")
 }
 
-/// The state after some steps, in lanes of R on so many threads.
-fn after<R: Real>(scene: &Scene, threads: usize) -> State {
-    let rules = Rules::of(scene, &Settings::defaults()).expect("the defaults");
+/// The methods that engine `lanes` has.
+const METHODS: [&str; 2] = ["own-row", "coloured"];
+
+/// The state after some steps of a method, in lanes of R on so many threads.
+fn after<R: Real>(scene: &Scene, method: &str, threads: usize) -> State {
+    let settings = Settings::defaults().with_method(method);
+    let rules = Rules::of(scene, &settings).expect("the defaults");
     let mut lanes = Lanes::<R>::of(scene, rules).expect("it is supported");
     lanes.threads = Threads::of(threads).expect("the system has so many");
     for _ in 0..STEPS {
@@ -40,20 +44,27 @@ fn after<R: Real>(scene: &Scene, threads: usize) -> State {
 fn one_lane_four_and_eight_have_the_same_bits() {
     for (name, count) in SCENES {
         let scene = open(name, count);
-        let one = after::<f32>(&scene, 1);
-        assert_eq!(one.not_finite(), 0, "{name}");
-        assert_eq!(one, after::<Four>(&scene, 1), "{name} in lanes of four");
-        assert_eq!(one, after::<Eight>(&scene, 1), "{name} in lanes of eight");
+        for method in METHODS {
+            let one = after::<f32>(&scene, method, 1);
+            assert_eq!(one.not_finite(), 0, "{name}");
+            let four = after::<Four>(&scene, method, 1);
+            assert_eq!(one, four, "{name}, {method} in lanes of four");
+            let eight = after::<Eight>(&scene, method, 1);
+            assert_eq!(one, eight, "{name}, {method} in lanes of eight");
+        }
     }
 }
 
 #[test]
 fn one_thread_and_several_have_the_same_bits() {
-    for (name, count) in [("balls", 600), ("ragdolls", 30)] {
+    for (name, count) in [("balls", 600), ("balls", 4000), ("ragdolls", 30)] {
         let scene = open(name, Some(count));
-        let one = after::<Eight>(&scene, 1);
-        for threads in [2, 3, 7] {
-            assert_eq!(one, after::<Eight>(&scene, threads), "{name} on {threads}");
+        for method in METHODS {
+            let one = after::<Eight>(&scene, method, 1);
+            for threads in [2, 3, 7] {
+                let many = after::<Eight>(&scene, method, threads);
+                assert_eq!(one, many, "{name}, {method} on {threads}");
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Pairs in batches: as many as a number has lanes, all with equally many points and normals that turn in
-//! the same way, so that no lane waits for another.
+//! the same way, so that no lane waits for another; and, where pairs have colours, all of one colour.
+
+use std::ops::Range;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
@@ -17,12 +19,20 @@ const TWO_BALLS: u32 = 0;
 /// The most points of a pair.
 const MOST_POINTS: usize = 4;
 
+/// Balls, and the others by their points.
+const CLASSES: usize = 1 + MOST_POINTS;
+
+/// Batches of the pairs of one colour: of balls, and of the others by the number of points.
+type Parts = [Range<usize>; CLASSES];
+
 // ANCHOR: batch
 /// Pairs, one a lane. Lanes that are left over repeat the last pair; nobody reads what they give.
 #[derive(Clone, Copy, Debug)]
 pub struct Batch<R: Real, const P: usize> {
     /// Rows of the bodies a, and of the bodies b.
     pub rows: [[u32; MOST_LANES]; 2],
+    /// A bit a lane: whether its body a moves, and whether its body b does; 0 in lanes that are left over.
+    pub moves: [u32; 2],
     /// Where they touch.
     pub contact: Contact<R, P>,
     /// What becomes of them there.
@@ -55,6 +65,8 @@ pub struct Batches<R: Real> {
     pub press: Vec<Press>,
     /// By pair: its row in `press`.
     pub place: Vec<u32>,
+    /// By colour: its batches.
+    parts: Vec<Parts>,
 }
 
 impl<R: Real> Default for Batches<R> {
@@ -67,6 +79,7 @@ impl<R: Real> Default for Batches<R> {
             four: Vec::new(),
             press: Vec::new(),
             place: Vec::new(),
+            parts: Vec::new(),
         }
     }
 }
@@ -76,6 +89,10 @@ impl<R: Real> Default for Batches<R> {
 pub struct Pair<'p> {
     /// Rows of its bodies.
     pub bodies: (u32, u32),
+    /// Whether they move.
+    pub moves: [bool; 2],
+    /// Its colour.
+    pub colour: u8,
     /// Where they touch.
     pub manifold: &'p Manifold,
     /// Of what they are there.
@@ -84,57 +101,106 @@ pub struct Pair<'p> {
     pub impulse: Impulse,
 }
 
-/// How many sorts of pairs there are: balls, and the others by points and by how the normal turns.
-const SORTS: usize = 1 + TURNS * MOST_POINTS;
+/// What sorts of pairs there are: balls and others by their points, then by
+/// their colours, then by how their normals turn.
+#[derive(Clone, Copy, Debug)]
+struct Sorts {
+    /// How many colours there are.
+    colours: usize,
+    /// The colour whose pairs go one by one, if there is one.
+    alone: Option<usize>,
+}
 
-/// Which pairs go together.
-fn sort_of(manifold: &Manifold) -> usize {
-    if manifold.kind == TWO_BALLS {
-        return 0;
+impl Sorts {
+    /// How many sorts there are.
+    fn count(self) -> usize {
+        CLASSES * self.colours * TURNS
     }
-    1 + (manifold.points as usize - 1) * TURNS + manifold.turns as usize
+
+    /// Which pairs go together.
+    fn of(self, pair: &Pair<'_>) -> usize {
+        let manifold = pair.manifold;
+        let points = match manifold.kind {
+            TWO_BALLS => 0,
+            _ => manifold.points as usize,
+        };
+        self.first(points, usize::from(pair.colour)) + manifold.turns as usize
+    }
+
+    /// The first sort of a colour, for so many points; 0 stands for balls.
+    fn first(self, points: usize, colour: usize) -> usize {
+        (points * self.colours + colour) * TURNS
+    }
+
+    /// How many rows each pair of a sort takes, where numbers have so many lanes.
+    fn rows(self, sort: usize, lanes: usize) -> usize {
+        let colour = sort / TURNS % self.colours;
+        if self.alone == Some(colour) { lanes } else { 1 }
+    }
 }
 
 impl<R: Real> Batches<R> {
     // ANCHOR: sort
-    /// Puts so many pairs into batches, each sort by itself, in their order.
-    /// At least `least` pairs go together.
+    /// Puts so many pairs of so many colours into batches, each sort by itself, in their order. Pairs of the
+    /// colour `alone` have a batch each. At least `least` pairs go together.
     pub fn fill<'p>(
         &mut self,
         count: usize,
+        (colours, alone): (usize, Option<usize>),
         least: usize,
         pair: impl Fn(usize) -> Pair<'p> + Sync,
     ) {
         let least = least / R::LANES;
-        let mut counts = [0; SORTS];
+        let sorts = Sorts { colours, alone };
+        let mut firsts = vec![0; sorts.count() + 1];
         for k in 0..count {
-            counts[sort_of(pair(k).manifold)] += 1;
+            let sort = sorts.of(&pair(k));
+            firsts[sort] += sorts.rows(sort, R::LANES);
         }
-        let mut firsts = [0; SORTS];
         let mut rows = 0;
-        for (first, count) in firsts.iter_mut().zip(counts) {
+        for first in &mut firsts {
+            let many = usize::div_ceil(*first, R::LANES) * R::LANES;
             *first = rows;
-            rows += usize::div_ceil(count, R::LANES) * R::LANES;
+            rows += many;
         }
-        let mut next = firsts;
+        let mut next = firsts.clone();
         let mut order = vec![u32::MAX; rows];
         self.place.clear();
         for k in 0..count {
-            let place = &mut next[sort_of(pair(k).manifold)];
-            self.place.push(*place as u32);
-            order[*place] = k as u32;
-            *place += 1;
+            let sort = sorts.of(&pair(k));
+            self.place.push(next[sort] as u32);
+            order[next[sort]] = k as u32;
+            next[sort] += sorts.rows(sort, R::LANES);
         }
-        let end = |points: usize| firsts.get(1 + points * TURNS).copied().unwrap_or(rows);
+        self.part(sorts, &firsts);
         self.press.clear();
         self.press.resize(rows, Press::default());
-        fill(&mut self.balls, least, &order[..end(0)], &pair);
-        fill(&mut self.one, least, &order[end(0)..end(1)], &pair);
-        fill(&mut self.two, least, &order[end(1)..end(2)], &pair);
-        fill(&mut self.three, least, &order[end(2)..end(3)], &pair);
-        fill(&mut self.four, least, &order[end(3)..], &pair);
+        let of = |points: usize| firsts[sorts.first(points, 0)]..firsts[sorts.first(points + 1, 0)];
+        fill(&mut self.balls, least, &order[of(0)], &pair);
+        fill(&mut self.one, least, &order[of(1)], &pair);
+        fill(&mut self.two, least, &order[of(2)], &pair);
+        fill(&mut self.three, least, &order[of(3)], &pair);
+        fill(&mut self.four, least, &order[of(4)], &pair);
     }
     // ANCHOR_END: sort
+
+    /// Notes which batches each colour has; `firsts` are the first rows of all sorts.
+    fn part(&mut self, sorts: Sorts, firsts: &[usize]) {
+        let part = |points: usize, colour: usize| {
+            let at = |sort: usize| (firsts[sort] - firsts[sorts.first(points, 0)]) / R::LANES;
+            let first = sorts.first(points, colour);
+            at(first)..at(first + TURNS)
+        };
+        self.parts.clear();
+        let parts = (0..sorts.colours).map(|colour| std::array::from_fn(|k| part(k, colour)));
+        self.parts.extend(parts);
+    }
+
+    /// How many colours there are.
+    #[must_use]
+    pub fn colours(&self) -> usize {
+        self.parts.len()
+    }
 
     /// How many pairs there are.
     #[must_use]
@@ -167,6 +233,32 @@ impl<R: Real> Batches<R> {
         });
     }
     // ANCHOR_END: each
+
+    // ANCHOR: each_of
+    /// The same with the batches of one colour.
+    pub fn each_of(&mut self, colour: usize, least: usize, work: &impl Work<R>) {
+        let [in_balls, in_one, in_two, in_three, in_four] = self.parts[colour].clone();
+        let (balls, rest) = self.press.split_at_mut(self.balls.len() * R::LANES);
+        let (one, rest) = rest.split_at_mut(self.one.len() * R::LANES);
+        let (two, rest) = rest.split_at_mut(self.two.len() * R::LANES);
+        let (three, four) = rest.split_at_mut(self.three.len() * R::LANES);
+        each_in(&mut self.balls, balls, in_balls, least, |batch, rows| {
+            work.run_balls(batch, rows);
+        });
+        each_in(&mut self.one, one, in_one, least, |batch, rows| {
+            work.run(batch, rows);
+        });
+        each_in(&mut self.two, two, in_two, least, |batch, rows| {
+            work.run(batch, rows);
+        });
+        each_in(&mut self.three, three, in_three, least, |batch, rows| {
+            work.run(batch, rows);
+        });
+        each_in(&mut self.four, four, in_four, least, |batch, rows| {
+            work.run(batch, rows);
+        });
+    }
+    // ANCHOR_END: each_of
 
     /// What a pair has pressed by now.
     #[must_use]
@@ -210,6 +302,12 @@ fn fill<'p, R: Real, const P: usize>(
                 pairs.map(|pair| pair.bodies.0),
                 pairs.map(|pair| pair.bodies.1),
             ],
+            moves: [0, 1].map(|side| {
+                let real = |lane: &usize| lanes[*lane] != u32::MAX && pairs[*lane].moves[side];
+                (0..R::LANES)
+                    .filter(real)
+                    .fold(0, |bits, lane| bits | 1 << lane)
+            }),
             contact: Contact::of(|lane| pairs[lane].manifold),
             surface: Surface::of(|lane| pairs[lane].material),
             impulse: Impulses::of(|lane| pairs[lane].impulse),
@@ -217,6 +315,25 @@ fn fill<'p, R: Real, const P: usize>(
         }
     });
     batch.collect_into_vec(batches);
+}
+
+fn each_in<R: Real, const P: usize>(
+    batches: &mut [Batch<R, P>],
+    press: &mut [Press],
+    part: Range<usize>,
+    least: usize,
+    work: impl Fn(&mut Batch<R, P>, &mut [Press]) + Sync,
+) {
+    let press = &mut press[part.start * R::LANES..part.end * R::LANES];
+    let batches = &mut batches[part];
+    if batches.len() < least {
+        let rows = press.chunks_mut(R::LANES);
+        for (batch, rows) in batches.iter_mut().zip(rows) {
+            work(batch, rows);
+        }
+    } else {
+        each(batches, press, least, work);
+    }
 }
 
 fn each<R: Real, const P: usize>(

@@ -13,7 +13,7 @@ use super::threads::{MOST_THREADS, Threads};
 use crate::own_row::contact::{Contact, touching};
 use crate::own_row::side::Side;
 use crate::rows::{FieldSpec, Impulse, Manifold, WgslType};
-use crate::rules::{METHOD, Rules};
+use crate::rules::{COLOURED, METHOD, Method as Solver, Rules};
 use crate::schema::{RowColumn, RowTable};
 
 /// The entry of engine `lanes` in a list of engines.
@@ -24,11 +24,20 @@ pub const ENGINE: EngineEntry = EngineEntry {
     load,
 };
 
-/// Its methods.
-pub const METHODS: &[Method] = &[Method {
+/// The method of own rows, which engine `compute` has too.
+pub const OWN_ROW: Method = Method {
     name: METHOD,
     about: "every row reads any and writes itself; substeps, impulses kept from step to step",
-}];
+};
+
+/// Its methods.
+pub const METHODS: &[Method] = &[
+    OWN_ROW,
+    Method {
+        name: COLOURED,
+        about: "pairs that share no body go together, one colour after another (Gauss-Seidel); fewer substeps",
+    },
+];
 
 /// What the schema says of an attitude, which is a row by itself.
 const ATTITUDE: &[FieldSpec] = &[FieldSpec {
@@ -74,7 +83,7 @@ pub fn unsupported(
 /// As many threads as the user wants, or as the machine has.
 fn threads(settings: &Settings) -> Result<Threads, LoadError> {
     let refuse = |count: u32, why: String| LoadError::Setting {
-        method: METHOD,
+        method: Solver::of(settings).name(),
         setting: "threads",
         value: count.to_string(),
         why,
@@ -158,7 +167,7 @@ impl Engine for LanesEngine {
     fn info(&self) -> EngineInfo {
         EngineInfo {
             engine: ENGINE.name,
-            method: METHOD,
+            method: self.lanes.rules.method.name(),
             threads: self.lanes.threads.count() as u32,
             device: "cpu".to_owned(),
             substeps: self.lanes.rules.substeps,
@@ -230,7 +239,7 @@ impl Engine for LanesEngine {
         Counters {
             pairs: self.lanes.broad.pairs.len(),
             contacts: points.sum(),
-            overflow: 0,
+            overflow: self.lanes.pairs.colours.without(),
         }
     }
 

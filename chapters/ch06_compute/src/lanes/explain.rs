@@ -7,6 +7,7 @@ use ch00_scenes::Scene;
 use super::Lanes;
 use super::broad_phase::BroadPhase;
 use crate::rows::{Held, Impulse, Manifold, Material, Motion, Place, Press, Push, Solid, Spin};
+use crate::rules::Method;
 use crate::simd::{Eight, Real};
 
 /// Passes, substeps, grid, and bytes a row.
@@ -16,14 +17,21 @@ pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
     let moving = scene.dynamic_count();
     let _ = writeln!(
         text,
-        "scene `{}` by own rows on the CPU, {} at a time on {} thread(s): {moving} bodies that move, {} that don't, {} joints; {} substeps a step",
+        "scene `{}` by {} on the CPU, {} at a time on {} thread(s): {moving} bodies that move, {} that don't, {} joints; {} substeps a step",
         scene.name,
+        match lanes.rules.method {
+            Method::OwnRow => "own rows",
+            Method::Coloured => "colours",
+        },
         Eight::LANES,
         lanes.threads.count(),
         scene.bodies.len() - moving,
         scene.joints.len(),
         lanes.rules.substeps
     );
+    if lanes.rules.method == Method::Coloured {
+        text += &explain_colours(lanes);
+    }
     text += &explain_broad_phase(&lanes.broad);
     let body = size_of::<Place>()
         + size_of::<glam::Quat>()
@@ -40,6 +48,22 @@ pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
         + size_of::<Press>();
     let _ = writeln!(text, "{body} bytes a body, {pair} bytes a pair");
     text
+}
+
+/// What the colours of the last step are.
+fn explain_colours(lanes: &Lanes) -> String {
+    let colours = &lanes.pairs.colours;
+    let way = if lanes.rules.back {
+        "forth and back in each substep, so that bodies with several contact points come to rest"
+    } else {
+        "forth in each substep: balls come to rest without a way back"
+    };
+    format!(
+        "{} colour(s) for {} pairs, gone through {way}; {} contacts have no colour and are solved one by one\n",
+        colours.count() - usize::from(colours.alone().is_some()),
+        lanes.pairs.bodies.len(),
+        colours.without()
+    )
 }
 
 /// How it is found who may touch, and why so.

@@ -3,11 +3,12 @@
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use super::batches::{Batches, Pair};
+use super::coloured::Colours;
 use super::threads;
 use crate::bodies::Bodies;
 use crate::own_row::narrow::{Posed, manifold};
 use crate::rows::{Impulse, Manifold, Material};
-use crate::rules::MARGIN;
+use crate::rules::{MARGIN, Method};
 use crate::simd::Real;
 
 /// All pairs that touch or may touch in the step, in the order of their bodies.
@@ -23,6 +24,8 @@ pub struct Pairs<R: Real> {
     pub impulse: Vec<Impulse>,
     /// What they press and rub now, in lanes.
     pub batches: Batches<R>,
+    /// Their colours; none where the method needs none.
+    pub colours: Colours,
     /// By body: where its pairs begin in `of_body`; one more at the end.
     pub starts: Vec<u32>,
     /// The pairs of each body, in the order of the other body's ID: twice the row of what it gathers, and 1
@@ -40,6 +43,7 @@ impl<R: Real> Default for Pairs<R> {
             material: Vec::new(),
             impulse: Vec::new(),
             batches: Batches::default(),
+            colours: Colours::default(),
             starts: Vec::new(),
             of_body: Vec::new(),
             met: Vec::new(),
@@ -66,6 +70,7 @@ impl<R: Real> Pairs<R> {
         let bodies = kept.iter().map(|&pair| self.bodies[pair]);
         self.bodies = bodies.map(|(a, b)| (moved(a), moved(b))).collect();
         let rows = self.starts.len().saturating_sub(2);
+        self.colours.clear();
         self.fill(rows, usize::MAX);
     }
 
@@ -87,15 +92,20 @@ impl<R: Real> Pairs<R> {
     /// Puts the pairs into lanes, and lists those of each of so many bodies. At least `least` pairs go
     /// together.
     fn fill(&mut self, rows: usize, least: usize) {
-        self.batches.fill(self.bodies.len(), least, |pair| {
-            let (a, b) = self.bodies[pair];
-            Pair {
-                bodies: (a as u32, b as u32),
-                manifold: &self.manifold[pair],
-                material: self.material[pair],
-                impulse: self.impulse[pair],
-            }
-        });
+        let colours = (self.colours.count(), self.colours.alone());
+        self.batches
+            .fill(self.bodies.len(), colours, least, |pair| {
+                let (a, b) = self.bodies[pair];
+                let (colour, moves) = self.colours.at(pair);
+                Pair {
+                    bodies: (a as u32, b as u32),
+                    moves,
+                    colour,
+                    manifold: &self.manifold[pair],
+                    material: self.material[pair],
+                    impulse: self.impulse[pair],
+                }
+            });
         list(rows, self);
     }
 }
@@ -108,6 +118,7 @@ pub fn meet<R: Real>(
     bodies: &Bodies,
     dt: f32,
     last: &Pairs<R>,
+    method: Method,
     pairs: &mut Pairs<R>,
     least: usize,
 ) {
@@ -127,6 +138,11 @@ pub fn meet<R: Real>(
         }
     }
     pairs.met = met;
+    if method == Method::Coloured {
+        pairs
+            .colours
+            .paint(&pairs.bodies, bodies.rows(), |row| bodies.moves(row));
+    }
     pairs.fill(bodies.rows(), least);
 }
 // ANCHOR_END: meet

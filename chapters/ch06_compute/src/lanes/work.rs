@@ -175,7 +175,7 @@ fn balls<R: Real>(bodies: &Bodies, batch: &Batch<R, 1>) -> [Side<R, Round<R>>; 2
 
 /// How bodies moved before the last kick.
 #[inline(always)]
-fn before<R: Real>(bodies: &Bodies, rows: &[u32]) -> Before<R> {
+pub(super) fn before<R: Real>(bodies: &Bodies, rows: &[u32]) -> Before<R> {
     let table: &[[[f32; 4]; 2]] = bytemuck::cast_slice(&bodies.before);
     let [x, y, z, _] = R::of_rows(|lane| table[rows[lane] as usize][0]);
     let [i, j, k, _] = R::of_rows(|lane| table[rows[lane] as usize][1]);

@@ -9,19 +9,23 @@
 //! The formulas are written for as many pairs as a [`Real`] has lanes. The pairs of a batch have equally
 //! many points, and their normals turn in the same way.
 
+mod given;
 mod impacts;
+mod moved;
 mod push;
 mod rub;
 mod touching;
 
+pub use given::Given;
 pub use impacts::{bounces, restore_pair};
+pub use moved::{Moved, Visit};
 pub use rub::across;
 pub use touching::{Contact, Touching, touching, touching_balls};
 
 use glam::Vec4;
 
 use super::side::Side;
-use crate::rows::{Impulse, Material, Press, Step};
+use crate::rows::{Impulse, Material, Step};
 use crate::simd::{Inertia, Mask, Real, Vec3, array_of};
 
 /// Below this an effective inverse mass or a length is none.
@@ -148,66 +152,6 @@ impl<R: Real, const P: usize> Impulses<R, P> {
     }
 }
 
-/// What a pair does to its two bodies in a substep, a pair a lane; the row that bodies gather from is [`Press`].
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Given<R> {
-    /// Impulse that b receives; a the opposite, N s.
-    pub linear: Vec3<R>,
-    /// Turning impulse that a receives, N m s.
-    pub angular_a: Vec3<R>,
-    /// Turning impulse that b receives, N m s.
-    pub angular_b: Vec3<R>,
-    /// Push that b receives; a the opposite, N s.
-    pub push: Vec3<R>,
-    /// Turning push that a receives, N m s.
-    pub push_a: Vec3<R>,
-    /// Turning push that b receives, N m s.
-    pub push_b: Vec3<R>,
-    /// 1 where the pair counts among those that share the bodies' masses in the next substep.
-    pub counts: R,
-    /// 1 where the next substep begins with these impulses, 0 where they were an impact.
-    pub stays: R,
-}
-
-impl<R: Real> Given<R> {
-    /// All of it where yes, nothing where no.
-    #[inline(always)]
-    fn kept(self, mask: R::Mask) -> Self {
-        let kept = |v: Vec3<R>| Vec3::select(mask, v, Vec3::zero());
-        Self {
-            linear: kept(self.linear),
-            angular_a: kept(self.angular_a),
-            angular_b: kept(self.angular_b),
-            push: kept(self.push),
-            push_a: kept(self.push_a),
-            push_b: kept(self.push_b),
-            ..self
-        }
-    }
-
-    /// Writes a row a lane.
-    #[inline(always)]
-    pub fn write(&self, rows: &mut [Press]) {
-        let of = |v: Vec3<R>, last: R| R::to_rows([v.x, v.y, v.z, last]);
-        let zero = R::splat(0.0);
-        let linear = of(self.linear, self.counts);
-        let angular_a = of(self.angular_a, self.stays);
-        let angular_b = of(self.angular_b, zero);
-        let push = of(self.push, zero);
-        let push_a = of(self.push_a, zero);
-        let push_b = of(self.push_b, zero);
-        let rows: &mut [[[f32; 4]; 6]] = bytemuck::cast_slice_mut(rows);
-        for (lane, row) in rows.iter_mut().enumerate().take(R::LANES) {
-            row[0] = linear[lane];
-            row[1] = angular_a[lane];
-            row[2] = angular_b[lane];
-            row[3] = push[lane];
-            row[4] = push_a[lane];
-            row[5] = push_b[lane];
-        }
-    }
-}
-
 /// Speed of b away from a along the normal at point k, m/s.
 #[inline(always)]
 fn parting<R: Real, I: Inertia<R>, const P: usize>(
@@ -285,6 +229,29 @@ pub fn solve_pair<R: Real, I: Inertia<R>, const P: usize>(
     before: impl FnOnce() -> [Before<R>; 2],
     step: &Step,
 ) -> Given<R> {
+    let mut only = Visit {
+        moved: sides.map(Moved::of),
+        was_impact: R::Mask::splat(false),
+        ends: true,
+    };
+    solve_moved(t, surface, impulse, approach, &mut only, before, step)
+}
+
+/// The same for bodies that others may have moved and pushed already, and what it makes of them.
+#[inline(always)]
+#[must_use]
+pub fn solve_moved<R: Real, I: Inertia<R>, const P: usize>(
+    t: &Touching<R, P>,
+    surface: &Surface<R>,
+    impulse: &mut Impulses<R, P>,
+    approach: &mut [R; P],
+    visit: &mut Visit<R, I>,
+    before: impl FnOnce() -> [Before<R>; 2],
+    step: &Step,
+) -> Given<R> {
+    let moved = &mut visit.moved;
+    let were = *moved;
+    let sides = were.map(|body| body.side);
     let [mut a, mut b] = sides;
     let soon = impacts::note(t, surface, approach, [&a, &b], before, step);
     let active = is_active(t, impulse, &a, &b, step.h);
@@ -299,13 +266,19 @@ pub fn solve_pair<R: Real, I: Inertia<R>, const P: usize>(
             rub::mend(t, &mut now, surface, &mut a, &mut b);
         }
         given = press(t, &now);
-        push::out(t, &reply, sides, step, &mut given);
+        moved[0].side = a;
+        moved[1].side = b;
+        push::out(t, &reply, moved, step, &mut given);
+        for (body, was) in moved.iter_mut().zip(&were) {
+            *body = body.or(active, was);
+        }
         given = given.kept(active);
         now = now.kept(active);
     }
     let counts = soon | now.presses();
-    let impact = !last.presses() & is_impact(&given, &sides, step);
-    *impulse = now.kept(!impact);
+    let is_new = visit.was_impact | !last.presses();
+    let impact = is_new & is_impact(&given, &sides, step);
+    *impulse = if visit.ends { now.kept(!impact) } else { now };
     given.counts = R::ones(counts);
     given.stays = R::ones(!impact);
     given

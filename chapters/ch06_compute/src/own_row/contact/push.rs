@@ -1,10 +1,10 @@
 //! Pushing apart what is inside each other.
 
-use super::{Given, Touching, parting, take_normals};
+use super::{Given, Moved, Touching, parting, take_normals};
 use crate::own_row::contact::INNER_SWEEPS;
 use crate::own_row::side::Side;
 use crate::rows::Step;
-use crate::simd::{Inertia, Real, Vec3, array_of};
+use crate::simd::{Inertia, Real, array_of};
 
 // ANCHOR: push_out
 /// Pushes bodies that are inside each other apart: a velocity that moves them in this substep and is
@@ -13,14 +13,15 @@ use crate::simd::{Inertia, Real, Vec3, array_of};
 pub(super) fn out<R: Real, I: Inertia<R>, const P: usize>(
     t: &Touching<R, P>,
     reply: &[R; P],
-    [mut a, mut b]: [Side<R, I>; 2],
+    moved: &mut [Moved<R, I>; 2],
     step: &Step,
     given: &mut Given<R>,
 ) {
-    for side in [&mut a, &mut b] {
-        side.velocity = Vec3::zero();
-        side.angular_velocity = Vec3::zero();
-    }
+    let [mut a, mut b] = moved.map(|body| Side {
+        velocity: body.push,
+        angular_velocity: body.turning_push,
+        ..body.side
+    });
     let (share, sweeps) = if P > 1 {
         (step.push_share_of_many, INNER_SWEEPS)
     } else {
@@ -43,6 +44,10 @@ pub(super) fn out<R: Real, I: Inertia<R>, const P: usize>(
         given.push += linear;
         given.push_a += turning_a;
         given.push_b += turning_b;
+    }
+    for (body, pushed) in moved.iter_mut().zip([a, b]) {
+        body.push = pushed.velocity;
+        body.turning_push = pushed.angular_velocity;
     }
 }
 // ANCHOR_END: push_out

@@ -1,0 +1,118 @@
+//! How bodies move while a sweep goes through the colours: what one colour wrote, the next one reads.
+
+#![expect(
+    clippy::inline_always,
+    reason = "a formula that isn't expanded in place passes its lanes through memory"
+)]
+
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+use crate::bodies::Bodies;
+use crate::lanes::threads;
+use crate::own_row::contact::Moved;
+use crate::own_row::side::Side;
+use crate::simd::{Quat, Real, Symmetric, Vec3, gather};
+
+// ANCHOR: live
+/// How a body moves by now, four rows of four numbers: its velocity, its angular velocity with 1/m, and those
+/// of its push. It is a cache line by itself.
+///
+/// Two batches of a colour have no body in common that moves, so no number is ever written by two threads or
+/// read by one while another writes it; but the compiler can't know. Atomic loads and stores, two numbers at a
+/// time and in no order, are plain ones to the processor.
+#[repr(align(64))]
+#[derive(Debug, Default)]
+struct Row([AtomicU64; 8]);
+
+/// A row a body.
+#[derive(Debug, Default)]
+pub struct Live {
+    rows: Vec<Row>,
+}
+// ANCHOR_END: live
+
+impl Clone for Live {
+    /// Nothing: it is filled anew before each sweep.
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Row {
+    #[inline(always)]
+    fn read(&self, k: usize) -> [f32; 4] {
+        bytemuck::cast([self.0[2 * k].load(Relaxed), self.0[2 * k + 1].load(Relaxed)])
+    }
+
+    #[inline(always)]
+    fn write(&self, k: usize, numbers: [f32; 4]) {
+        let [one, two]: [u64; 2] = bytemuck::cast(numbers);
+        self.0[2 * k].store(one, Relaxed);
+        self.0[2 * k + 1].store(two, Relaxed);
+    }
+}
+
+impl Live {
+    /// As the bodies move now, without pushes.
+    pub fn fill(&mut self, bodies: &Bodies, least: usize) {
+        self.rows.resize_with(bodies.rows(), Row::default);
+        threads::each(&mut self.rows, least, |row, live| {
+            let (motion, spin) = (&bodies.motion[row], &bodies.spin[row]);
+            live.write(0, motion.velocity.extend(1.0).to_array());
+            let turning = spin.angular_velocity.extend(spin.inverse_mass);
+            live.write(1, turning.to_array());
+            live.write(2, [0.0; 4]);
+            live.write(3, [0.0; 4]);
+        });
+    }
+
+    /// Bodies as they are now, with their whole masses.
+    #[inline(always)]
+    #[must_use]
+    pub fn read<R: Real>(&self, bodies: &Bodies, rows: &[u32]) -> Moved<R, Symmetric<R>> {
+        let live = |k: usize| R::of_rows(|lane| self.rows[rows[lane] as usize].read(k));
+        let [x, y, z, _] = gather::<R>(bytemuck::cast_slice(&bodies.place), rows);
+        let [i, j, k, w] = gather::<R>(bytemuck::cast_slice(&bodies.attitude), rows);
+        let [vx, vy, vz, _] = live(0);
+        let [wx, wy, wz, inverse_mass] = live(1);
+        let [px, py, pz, _] = live(2);
+        let [qx, qy, qz, _] = live(3);
+        let inverse_inertia = Vec3::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia);
+        let attitude = Quat {
+            v: Vec3::new(i, j, k),
+            w,
+        };
+        Moved {
+            side: Side {
+                position: Vec3::new(x, y, z),
+                attitude,
+                velocity: Vec3::new(vx, vy, vz),
+                angular_velocity: Vec3::new(wx, wy, wz),
+                inverse_mass,
+                shared_mass: inverse_mass,
+                shared_inertia: Symmetric::turned(attitude.matrix(), inverse_inertia),
+            },
+            push: Vec3::new(px, py, pz),
+            turning_push: Vec3::new(qx, qy, qz),
+        }
+    }
+
+    /// Puts back what became of them, where `moves` has a lane's bit.
+    #[inline(always)]
+    pub fn write<R: Real, I>(&self, moved: &Moved<R, I>, rows: &[u32], moves: u32) {
+        let of = |v: Vec3<R>, last: R| R::to_rows([v.x, v.y, v.z, last]);
+        let (zero, side) = (R::splat(0.0), &moved.side);
+        let columns = [
+            of(side.velocity, R::splat(1.0)),
+            of(side.angular_velocity, side.inverse_mass),
+            of(moved.push, zero),
+            of(moved.turning_push, zero),
+        ];
+        for lane in (0..R::LANES).filter(|lane| moves >> lane & 1 == 1) {
+            let row = &self.rows[rows[lane] as usize];
+            for (k, column) in columns.iter().enumerate() {
+                row.write(k, column[lane]);
+            }
+        }
+    }
+}
