@@ -49,11 +49,25 @@ fn no_ball_escapes_and_no_energy_is_made() {
     }
 }
 
+/// Walls so high that no light ball, shot up by heavy ones as elastic balls do, leaps over them.
+fn raise_walls(scene: &mut Scene) {
+    for body in &mut scene.bodies {
+        if let Shape::Box { half_extents } = &mut body.shape
+            && half_extents.y > 1.0
+        {
+            let foot = body.position.y - half_extents.y;
+            half_extents.y = 200.0;
+            body.position.y = foot + 200.0;
+        }
+    }
+}
+
 #[test]
 fn elastic_balls_make_no_energy_either() {
     for (count, seed, mu) in [(10, 1, 0.0), (60, 1, 0.0), (60, 2, 0.5), (300, 1, 0.0)] {
         let mut scene = Scene::open("balls", Some(count), Some(seed)).expect("a built-in");
         of_one_stuff(&mut scene, 1.0, mu);
+        raise_walls(&mut scene);
         at_most(energy_gained(&scene), 1e-3, "energy gained");
     }
 }
