@@ -202,8 +202,8 @@ fn with(samples: &[Sample], instructions: &str, s: &Sample) -> Option<f64> {
 
 fn page(samples: &[Sample], origin: &str) -> String {
     let built = first(samples);
-    let wider = samples.iter().map(|sample| sample.instructions.as_str());
-    let wider = wider.filter(|name| *name != built).last();
+    let mut wider = samples.iter().map(|sample| sample.instructions.as_str());
+    let wider = wider.rfind(|name| *name != built);
     let wide_heading = format!("µs, {}", wider.unwrap_or("wider"));
     let mut table = Table::new(&[
         "scene",
