@@ -172,6 +172,7 @@ impl<R: Real> Batches<R> {
             order[next[sort]] = k as u32;
             next[sort] += sorts.rows(sort, R::LANES);
         }
+        // ANCHOR_END: sort
         self.part(sorts, &firsts);
         self.press.clear();
         self.press.resize(rows, Press::default());
@@ -182,7 +183,6 @@ impl<R: Real> Batches<R> {
         fill(&mut self.three, least, &order[of(3)], &pair);
         fill(&mut self.four, least, &order[of(4)], &pair);
     }
-    // ANCHOR_END: sort
 
     /// Notes which batches each colour has; `firsts` are the first rows of all sorts.
     fn part(&mut self, sorts: Sorts, firsts: &[usize]) {

@@ -215,7 +215,6 @@ pub fn press_again<R: Real, I: Inertia<R>, const P: usize>(
 /// A substep of a pair: it mends its impulses so that the bodies, with the share of their masses that
 /// it has, no longer approach where they touch, and don't slide where friction holds them.
 ///
-// ANCHOR: solve_pair
 /// `approach` keeps the fastest impact of the step at each point, m/s, negative, for [`restore_pair`].
 /// `before` is how the bodies moved before the kick.
 #[inline(always)]
@@ -249,6 +248,7 @@ pub fn solve_moved<R: Real, I: Inertia<R>, const P: usize>(
     before: impl FnOnce() -> [Before<R>; 2],
     step: &Step,
 ) -> Given<R> {
+    // ANCHOR: solve_pair
     let moved = &mut visit.moved;
     let were = *moved;
     let sides = were.map(|body| body.side);
@@ -282,8 +282,8 @@ pub fn solve_moved<R: Real, I: Inertia<R>, const P: usize>(
     given.counts = R::ones(counts);
     given.stays = R::ones(!impact);
     given
+    // ANCHOR_END: solve_pair
 }
-// ANCHOR_END: solve_pair
 
 // ANCHOR: is_impact
 /// Whether what a pair newly pressed is an impact rather than the beginning of rest.
