@@ -51,7 +51,6 @@ impl Colours {
         (self.count, self.without) = (0, 0);
     }
 
-    // ANCHOR: paint
     /// Gives every pair the first colour that none of its bodies has yet, in the order of the pairs: first
     /// those of two bodies that move, then those with one that doesn't. So what stands fast has the last word
     /// in a sweep. A body that doesn't move takes no colour.
@@ -79,6 +78,8 @@ impl Colours {
         }
     }
 
+    // ANCHOR: paint
+    /// Gives each of the pairs that are chosen the first colour, from `first` on, that neither body has.
     fn paint_those(
         &mut self,
         pairs: &[(usize, usize)],
