@@ -15,7 +15,7 @@ pub const SLOP: f32 = 0.0005;
 /// 0.2 the 99th percentile of the depths of a pile is 1.8 times as deep, the deepest nearly four times.
 pub const PUSH_SHARE: f32 = 0.9;
 
-/// The same where a pair has several points, which push against each other.
+/// The most of it where a pair has several points, which push against each other.
 pub const PUSH_SHARE_OF_MANY: f32 = 0.5;
 
 /// A new contact that changes the speed by more, m/s, is an impact: what it pressed is over with the
@@ -187,7 +187,7 @@ impl Rules {
             restitution_threshold: self.restitution_threshold,
             slop: SLOP,
             push_share: self.push_share,
-            push_share_of_many: PUSH_SHARE_OF_MANY,
+            push_share_of_many: self.push_share.min(PUSH_SHARE_OF_MANY),
             fastest_push: FASTEST_PUSH,
             impact_speed: IMPACT_SPEED,
             bodies: bodies as u32,

@@ -5,7 +5,7 @@ use ch00_scenes::measures::{Conserved, Measures, escaped};
 use ch00_scenes::{Joint, Scene, State};
 use glam::DVec3;
 
-use super::{at_most, built_in, near, separation, watch};
+use super::{at_most, built_in, near, separation, watch, watch_with};
 
 /// A ragdoll in the air, every bone of it thrown another way: the limbs strain at their pins and run
 /// into their limits.
@@ -64,13 +64,14 @@ fn a_ragdoll_in_the_air_falls_as_a_stone_does() {
     });
 }
 
+/// What a joint's gap is closed by moves bodies and not their speeds; so angular momentum is off by what the
+/// substeps leave of the gaps: 1.7e-5 with 4 of them, 5.6e-6 with 10, 3.4e-6 with 16, 1.9e-6 with 32.
 #[test]
-#[ignore = "falls short: angular momentum to 5.4e-6, asked 5e-6"]
-fn ragdolls_without_weight_keep_momentum_and_angular_momentum() {
+fn ragdolls_without_weight_keep_momentum_and_angular_momentum_at_sixteen_substeps() {
     let mut scene = thrown_ragdoll();
     scene.gravity = DVec3::ZERO;
     let start = Conserved::of(&scene, &State::start_of(&scene));
-    watch(&scene, 60, |_, state| {
+    watch_with(&scene, 16, 60, |_, state| {
         let now = Conserved::of(&scene, state);
         let off = (now.momentum - start.momentum).length() / start.momentum_sum;
         // The prototype's.
