@@ -2,7 +2,7 @@
 // the sums of the blocks, and both together. A block is one workgroup, PER_BLOCK counts.
 // Needs common/index, rows.
 
-@group(0) @binding(0) var<uniform> grid: GridOf;
+@group(0) @binding(0) var<uniform> scan: Scan;
 @group(0) @binding(1) var<storage, read> counts: array<u32>;
 @group(0) @binding(2) var<storage, read_write> starts: array<u32>;
 @group(0) @binding(3) var<storage, read_write> blocks: array<u32>;
@@ -32,6 +32,11 @@ fn scan_lanes(lane: u32, value: u32) -> u32 {
 }
 // ANCHOR_END: scan_lanes
 
+// Whether the starts are to be written: where there is no room, those of the step that lacks it stay.
+fn has_room() -> bool {
+    return atomicLoad(&status[NEEDED]) <= scan.room;
+}
+
 // Sums within a block.
 @compute @workgroup_size(LANES)
 fn scan_blocks(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
@@ -41,17 +46,18 @@ fn scan_blocks(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_in
     var sum = 0u;
     for (var k = 0u; k < PER_LANE; k++) {
         own[k] = sum;
-        if first + k < grid.starts {
+        if first + k < scan.counts {
             sum += counts[first + k];
         }
     }
     let before = scan_lanes(lane, sum);
+    let writes = has_room();
     for (var k = 0u; k < PER_LANE; k++) {
-        if first + k < grid.starts && atomicLoad(&status[NEEDED]) <= grid.room {
+        if writes && first + k < scan.counts {
             starts[first + k] = before + own[k];
         }
     }
-    if lane == LANES - 1u {
+    if lane == LANES - 1u && block * PER_BLOCK < scan.counts {
         blocks[block] = sums[lane];
     }
 }
@@ -59,7 +65,7 @@ fn scan_blocks(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_in
 // The sums of the blocks, by one workgroup.
 @compute @workgroup_size(LANES)
 fn scan_sums(@builtin(local_invocation_index) lane: u32) {
-    let count = (grid.starts + PER_BLOCK - 1u) / PER_BLOCK;
+    let count = (scan.counts + PER_BLOCK - 1u) / PER_BLOCK;
     let per_lane = (count + LANES - 1u) / LANES;
     var sum = 0u;
     for (var k = 0u; k < per_lane; k++) {
@@ -82,8 +88,8 @@ fn scan_sums(@builtin(local_invocation_index) lane: u32) {
 // Both together.
 @compute @workgroup_size(WORKGROUP)
 fn scan_add(@builtin(global_invocation_id) id: vec3u) {
-    let slot = row_index(id);
-    if slot < grid.starts && atomicLoad(&status[NEEDED]) <= grid.room {
-        starts[slot] += blocks[slot / PER_BLOCK];
+    let place = row_index(id);
+    if place < scan.counts && has_room() {
+        starts[place] += blocks[place / PER_BLOCK];
     }
 }

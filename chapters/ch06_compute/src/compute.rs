@@ -11,6 +11,7 @@ mod explain;
 mod late;
 mod layers;
 pub mod pairs;
+mod scan;
 mod tables;
 
 pub use balls::Balls;

@@ -3,13 +3,11 @@
 
 use std::collections::VecDeque;
 
+use super::scan::Scanning;
 use crate::stream::{Gpu, Kernel, Passes, StreamError, source};
 
 /// Invocations of a workgroup of the kernels that have teams. On an H200 128 and 256 are no faster.
 const GROUP: f64 = 64.0;
-
-/// Counts in a block of the scan: `ch06_scan.wgsl` has it too.
-pub const PER_BLOCK: usize = 4096;
 
 /// Which of two columns holds what is true now.
 #[derive(Clone, Copy, Debug, Default)]
@@ -58,7 +56,7 @@ impl Bound {
 #[derive(Debug)]
 pub struct BallKernels {
     cells: Bound,
-    scan: [Kernel; 3],
+    scan: Scanning,
     scatter: Kernel,
     sort: Bound,
     meet: Bound,
@@ -113,10 +111,9 @@ impl BallKernels {
                 ("SUMS", sums),
             ]
         };
-        let scan = |entry| plain(gpu, "scan", "ch06_scan", entry);
         Ok(Self {
             cells: bound(gpu, "cells", "ch06_cells", "cells", &[], name_cells)?,
-            scan: [scan("scan_blocks")?, scan("scan_sums")?, scan("scan_add")?],
+            scan: Scanning::of(gpu, ["scan", "counts", "starts"])?,
             scatter: plain(gpu, "scatter", "ch06_scatter", "scatter")?,
             sort: bound(gpu, "sort", "ch06_sort", "sort", &[], name_sort)?,
             meet: bound(
@@ -189,12 +186,7 @@ impl BallKernels {
         let (rows, starts) = (sizes.rows, sizes.starts);
         passes.section("grid");
         passes.run(self.cells.at(self.sides), rows)?;
-        let blocks = starts.div_ceil(PER_BLOCK);
-        passes.run_workgroups(&self.scan[0], blocks)?;
-        if blocks > 1 {
-            passes.run_workgroups(&self.scan[1], 1)?;
-            passes.run(&self.scan[2], starts)?;
-        }
+        self.scan.run(passes, starts)?;
         passes.run(&self.scatter, rows)?;
         passes.section("sort");
         passes.run(self.sort.at(self.sides), rows)?;

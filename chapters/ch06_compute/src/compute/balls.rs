@@ -7,9 +7,10 @@ use glam::{Quat, Vec4};
 
 use super::ball_kernels::{BallKernels, Sizes};
 use super::explain;
+use super::scan::{blocks, scan_of};
 use crate::bodies::Bodies;
 use crate::grid::{Grid, margin_of};
-use crate::rows::{Ball, Drawn, GridOf, Held, Mouse, Mover, Place, STATUS, Seen, Wall};
+use crate::rows::{Ball, Drawn, GridOf, Held, Mouse, Mover, Place, STATUS, Scan, Seen, Wall};
 use crate::rules::{MARGIN, Rules};
 use crate::stream::{Columns, Gpu, Passes, StreamError, Timer};
 
@@ -199,6 +200,7 @@ impl Balls {
         self.dt = dt;
         self.grid.dt = dt;
         self.columns.write("grid", &[self.grid])?;
+        self.columns.write("scan", &[scan_in(&self.grid)])?;
         let step = self.rules.step(dt, self.rows);
         self.columns.write("step", &[step])
     }
@@ -505,6 +507,14 @@ fn grid_of(bodies: &Bodies, moving: &[usize], walls: usize) -> GridOf {
     }
 }
 
+/// The scan of a grid: it writes no starts in a step after one that had no room.
+fn scan_in(grid: &GridOf) -> Scan {
+    Scan {
+        room: grid.room,
+        ..scan_of(grid.starts as usize)
+    }
+}
+
 /// Makes all columns.
 fn allocate(
     columns: &mut Columns,
@@ -533,7 +543,7 @@ fn allocate(
     for name in ["counts", "starts"] {
         columns.add::<u32>(name, starts)?;
     }
-    columns.add::<u32>("blocks", starts.div_ceil(super::ball_kernels::PER_BLOCK))?;
+    columns.add::<u32>("blocks", blocks(starts))?;
     columns.add::<u32>("fastest", 2)?;
     columns.add::<u32>("status", STATUS.len())?;
     let mut status = [0; STATUS.len()];
@@ -545,5 +555,6 @@ fn allocate(
     columns.add::<Seen>("seen", bodies)?;
     columns.add_uniform("mouse", &Mouse::default())?;
     columns.add_uniform("grid", grid)?;
+    columns.add_uniform("scan", &scan_in(grid))?;
     columns.add_uniform("step", &crate::rows::Step::default())
 }

@@ -213,12 +213,12 @@ rows! {
     pub struct Scan {
         /// So many.
         counts: u32, "", "";
+        /// While more neighbours need room than this, no start is written; 4294967295 for always.
+        room: u32, "", "";
         /// Unused.
         spare_1: u32, "", "";
         /// Unused.
         spare_2: u32, "", "";
-        /// Unused.
-        spare_3: u32, "", "";
     }
 
     /// A critically damped spring between a point of a body and the mouse.

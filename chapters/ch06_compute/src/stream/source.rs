@@ -65,7 +65,6 @@ const SHADERS: &[(&str, &str)] = shaders![
     "ch06_pair_large.wgsl",
     "ch06_pair_list.wgsl",
     "ch06_pair_meet.wgsl",
-    "ch06_pair_scan.wgsl",
     "ch06_pair_solve.wgsl",
     "ch06_pair_sort.wgsl",
     "ch06_pair_start.wgsl",

@@ -1,14 +1,14 @@
 //! The columns of pairs: made, filled, and made larger.
 
-use super::kernels::PER_BLOCK;
+use super::super::scan::{blocks, scan_of};
 use super::plan::{CELLS_AHEAD, ON_POINT, Plan, TOO_LARGE, ends_at, poles_of};
 use crate::bodies::Bodies;
 use crate::lanes::forces::Forces;
 use crate::own_row::tree::Trees;
 use crate::rows::{
     Before, Bound, Contact, Drawn, GridOf, Held, Holding, Limit, Memory, Mouse, NONE, Node,
-    PAIR_STATUS_LEN, PairsOf, Partner, Pivot, Pole, Pressed, Rigid, Scan, Seen, Step, Total,
-    Turned, status_place,
+    PAIR_STATUS_LEN, PairsOf, Partner, Pivot, Pole, Pressed, Rigid, Seen, Step, Total, Turned,
+    status_place,
 };
 use crate::stream::{Columns, Gpu, StreamError};
 use ch00_scenes::Scene;
@@ -95,7 +95,7 @@ pub fn allocate(
     for name in ["pair_counts", "pair_starts"] {
         columns.add::<u32>(name, pair_counts)?;
     }
-    columns.add::<u32>("blocks", starts.max(pair_counts).div_ceil(PER_BLOCK))?;
+    columns.add::<u32>("blocks", blocks(starts.max(pair_counts)))?;
     for side in ["a", "b"] {
         columns.add::<Partner>(&format!("partners_{side}"), (room.partners + 1) * rows)?;
         columns.add::<Memory>(&format!("memories_{side}"), room.pairs)?;
@@ -123,14 +123,10 @@ fn add_uniforms(
     grid: &GridOf,
     pairs_of: &PairsOf,
 ) -> Result<(), StreamError> {
-    let scan = |counts: usize| Scan {
-        counts: counts as u32,
-        ..Scan::default()
-    };
     columns.add_uniform("grid", grid)?;
     columns.add_uniform("pairs_of", pairs_of)?;
-    columns.add_uniform("cell_scan", &scan(grid.starts as usize))?;
-    columns.add_uniform("pair_scan", &scan(pair_counts(grid, pairs_of)))?;
+    columns.add_uniform("cell_scan", &scan_of(grid.starts as usize))?;
+    columns.add_uniform("pair_scan", &scan_of(pair_counts(grid, pairs_of)))?;
     columns.add_uniform("step", &Step::default())?;
     columns.add_uniform("mouse", &no_mouse())
 }

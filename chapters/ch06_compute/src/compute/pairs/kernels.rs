@@ -1,10 +1,8 @@
 //! The kernels of a step of pairs, each compiled once, and the order in which they run.
 
+use super::super::scan::Scanning;
 use super::plan::{MOST_SPOTS, Plan};
 use crate::stream::{Gpu, Kernel, Passes, StreamError, source};
-
-/// Counts in a block of the scan: `ch06_pair_scan.wgsl` has it too.
-pub const PER_BLOCK: usize = 4096;
 
 /// Columns that change sides from step to step: what this step writes, the next one looks up.
 const PARTNERS: [&str; 2] = ["partners_a", "partners_b"];
@@ -24,35 +22,6 @@ impl Sided {
             kernel.renamed(&naming(0))?,
             kernel.renamed(&naming(1))?,
         ]))
-    }
-}
-
-/// A scan over one column of counts.
-#[derive(Debug)]
-struct Scanning([Kernel; 3]);
-
-impl Scanning {
-    fn of(gpu: &Gpu, names: &[(&str, &str); 3]) -> Result<Self, StreamError> {
-        let kernel = |entry, bound: &[(&str, &str)]| {
-            let kernel = Kernel::new(gpu, "scan", &source("ch06_pair_scan")?, entry, &[])?;
-            kernel.renamed(bound)
-        };
-        let [uniform, counts, starts] = *names;
-        Ok(Self([
-            kernel("scan_blocks", &[uniform, counts, starts])?,
-            kernel("scan_sums", &[uniform])?,
-            kernel("scan_add", &[uniform, starts])?,
-        ]))
-    }
-
-    fn run(&self, passes: &mut Passes<'_>, counts: usize) -> Result<(), StreamError> {
-        let blocks = counts.div_ceil(PER_BLOCK);
-        passes.run_workgroups(&self.0[0], blocks)?;
-        if blocks > 1 {
-            passes.run_workgroups(&self.0[1], 1)?;
-            passes.run(&self.0[2], counts)?;
-        }
-        Ok(())
     }
 }
 
@@ -134,27 +103,18 @@ impl PairKernels {
             let rebound = make("rebound", "ch06_pair_advance", "pair_rebound", true)?;
             Ok((Sided::of(&restore, name_solve)?, rebound))
         };
-        let cell_names = [
-            ("scan", "cell_scan"),
-            ("counts", "counts"),
-            ("starts", "starts"),
-        ];
-        let pair_names = [
-            ("scan", "pair_scan"),
-            ("counts", "pair_counts"),
-            ("starts", "pair_starts"),
-        ];
+        let scan = |names| Scanning::of(gpu, names);
         let large = || make("large", "ch06_pair_large", "pair_large", false);
         Ok(Self {
             cells: make("cells", "ch06_pair_cells", "pair_cells", false)?,
-            scan_cells: Scanning::of(gpu, &cell_names)?,
+            scan_cells: scan(["cell_scan", "counts", "starts"])?,
             scatter: make("scatter", "ch06_pair_sort", "pair_scatter", false)?,
             sort: make("sort", "ch06_pair_sort", "pair_sort", false)?,
             find: Sided::of(
                 &make("find", "ch06_pair_find", "pair_find", false)?,
                 name_lists,
             )?,
-            scan_pairs: Scanning::of(gpu, &pair_names)?,
+            scan_pairs: scan(["pair_scan", "pair_counts", "pair_starts"])?,
             plan: make("plan", "ch06_pair_list", "pair_plan", false)?,
             list: Sided::of(
                 &make("list", "ch06_pair_list", "pair_list", false)?,
