@@ -33,7 +33,7 @@ override LAST: bool = false;
 // Sums what its pairs did to a body, in the order of their IDs. `before` of its list are no pairs.
 fn gather(row: u32, large: u32, before: u32) -> Total {
     var sum: Total;
-    if MOVING_LARGE && large != NOBODY {
+    if MOVING_LARGE && large != NONE {
         sum = totals[large];
     }
     let count = incidents[row];

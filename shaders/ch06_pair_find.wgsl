@@ -178,7 +178,7 @@ fn count_kinds(row: u32, count: u32) {
     let own_is_large = rigids[row].role == LARGE;
     for (var k = 0u; k < count && !own_is_large; k++) {
         let large = rigids[partners[place_in_list(k, row)].body & BODY].large;
-        if large != NOBODY {
+        if large != NONE {
             pair_counts[(pairs_of.kinds + large) * grid.rows + row] = 1u;
         }
     }

@@ -99,7 +99,7 @@ fn pair_list(@builtin(global_invocation_id) id: vec3u) {
 // A large body that moves has a list of its own, in the order of its partners' rows.
 fn note_large(row: u32, other: u32, pair: u32) {
     let large = rigids[other].large;
-    if large != NOBODY && rigids[row].role != LARGE {
+    if large != NONE && rigids[row].role != LARGE {
         let before = pair_starts[pairs_of.kinds * grid.rows];
         let at = pair_starts[(pairs_of.kinds + large) * grid.rows + row] - before;
         large_pairs[at] = 2u * pair + select(0u, 1u, other > row);

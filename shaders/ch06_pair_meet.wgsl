@@ -48,7 +48,7 @@ fn last_pair(row: u32, other: u32) -> u32 {
             return entry.pair;
         }
     }
-    return NOBODY;
+    return NONE;
 }
 // ANCHOR_END: last_pair
 
@@ -61,7 +61,7 @@ fn carry(old: u32, m: ptr<function, Manifold>) -> Memory {
             memory.features[k] = (*m).core_a[k].w;
         }
     }
-    if old == NOBODY {
+    if old == NONE {
         return memory;
     }
     let last = last_memories[old];

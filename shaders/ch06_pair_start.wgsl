@@ -41,7 +41,7 @@ fn pair_with(row: u32, entry: Partner) -> u32 {
             return theirs.pair;
         }
     }
-    return NOBODY;
+    return NONE;
 }
 // ANCHOR_END: pair_with
 
@@ -66,7 +66,7 @@ fn pair_start(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     var sum: Total;
-    if MOVING_LARGE && rigid.large != NOBODY {
+    if MOVING_LARGE && rigid.large != NONE {
         sum = totals[rigid.large];
     }
     // Limits and loops end at the same bodies always: they stand first in the list.
@@ -84,7 +84,7 @@ fn pair_start(@builtin(global_invocation_id) id: vec3u) {
     for (var k = 1u; k <= count; k++) {
         let entry = partners[k * grid.capacity + row];
         let pair = pair_with(row, entry);
-        if pair != NOBODY && touches[pair].points > 0u {
+        if pair != NONE && touches[pair].points > 0u {
             live += 1u;
             let side = select(0u, 1u, (entry.body & BODY) < row);
             incidents[live * grid.capacity + row] = 2u * (pairs_of.before + pair) + side;

@@ -6,7 +6,6 @@
 // The plan: whether any joint has limits of pitch, yaw and roll.
 override EULER_LIMITS: bool = true;
 
-const EULER: u32 = 2u;
 // An angle that no turn reaches, rad.
 const FREE_ANGLE: f32 = 10.0;
 const WHOLE: f32 = 3.14159265;

@@ -1,15 +1,6 @@
 // Where a joint is and what it wants: the geometry of a substep. Names as in
 // `ch06_compute::own_row::tree`. Needs common/rotation, rows, common/symmetric, common/articulated.
 
-// Kinds of nodes, and no such row.
-const EMPTY: u32 = 0u;
-const FREE: u32 = 1u;
-const PIN: u32 = 2u;
-const HINGE: u32 = 3u;
-const ROD: u32 = 4u;
-const TWO_RODS: u32 = 5u;
-const NONE: u32 = 0xffffffffu;
-
 // The plan: whether the scene has hinges, and whether it has rods.
 override HINGES: bool = true;
 override RODS: bool = true;

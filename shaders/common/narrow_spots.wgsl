@@ -3,12 +3,6 @@
 // first one wins: which four they are must not change with every tremor.
 // Needs common/rotation, rows, common/narrow_core.
 
-// How a normal turns: by the core points, with a, with b, not at all.
-const ROUND: u32 = 0u;
-const WITH_A: u32 = 1u;
-const WITH_B: u32 = 2u;
-const FIXED: u32 = 3u;
-
 // Points that there can be: twice eight of a rim with the lowest, and two where rims cross.
 const MOST_SPOTS: u32 = 20u;
 

@@ -16,14 +16,6 @@ const RUSHING: u32 = 2u;
 const SLOT_SHIFT: u32 = 27u;
 const LISTED: u32 = 0x80000000u;
 
-// No such row.
-const NOBODY: u32 = 0xffffffffu;
-
-// What a body can be in the broad phase.
-const IN_GRID: u32 = 0u;
-const LARGE: u32 = 1u;
-const ON_POINT: u32 = 2u;
-
 // Where the pairs of two bodies of these kinds are listed: by `pair_kind`, without the kinds that the
 // scene can't have.
 fn slot_of_pair(pairs_of: PairsOf, kind_a: u32, kind_b: u32) -> u32 {
@@ -36,8 +28,5 @@ fn slot_of_pair(pairs_of: PairsOf, kind_a: u32, kind_b: u32) -> u32 {
 
 // Whether a body hangs in a tree of joints.
 fn in_tree(rigid: Rigid) -> bool {
-    return rigid.role != ON_POINT && rigid.seat != NOBODY;
+    return rigid.role != ON_POINT && rigid.seat != NONE;
 }
-
-// In a body's list, in the place of twice a row and the body's side: the row is a limit's.
-const OF_LIMIT: u32 = 0x80000000u;

@@ -5,8 +5,6 @@
 //! are built with is generated from it, and a test compares every offset with the one that naga
 //! computes.
 
-use std::fmt::Write as _;
-
 mod balls;
 mod bodies;
 mod joints;
@@ -18,15 +16,16 @@ mod step;
 pub use balls::{Ball, GridOf, Mover, STATUS, Wall};
 pub use bodies::{Held, Material, Motion, Place, Push, Solid, Spin};
 pub use joints::{
-    CONE_TWIST, EMPTY, EULER, FREE, FREE_ANGLE, HINGE, Limit, NONE, Node, PIN, ROD, TWO_RODS,
-    Turned,
+    CONE_TWIST, EMPTY, EULER, FREE, FREE_ANGLE, HINGE, JOINT_NUMBERS, Limit, NONE, Node, PIN, ROD,
+    TWO_RODS, Turned,
 };
 pub(crate) use layout::rows;
-pub use layout::{FieldSpec, Row, WgslType, declaration};
-pub use pairs::{FIXED, Impulse, Manifold, Press, ROUND, WITH_A, WITH_B};
+pub use layout::{FieldSpec, Number, Row, WgslType, constants, declaration};
+pub use pairs::{FIXED, Impulse, Manifold, Press, ROUND, TURNS, WITH_A, WITH_B};
 pub use rigids::{
-    Before, Bound, Contact, Holding, Memory, Mouse, PAIR_STATUS, PAIR_STATUS_LEN, PairsOf, Partner,
-    Pivot, Pole, Pressed, Rigid, Scan, Total, status_place,
+    Before, Bound, Contact, Holding, IN_GRID, LARGE, Memory, Mouse, OF_LIMIT, ON_POINT,
+    PAIR_STATUS, PAIR_STATUS_LEN, PairsOf, Partner, Pivot, Pole, Pressed, ROLES, Rigid, Scan,
+    Total, status_place,
 };
 pub use step::{Drawn, Seen, Step};
 
@@ -34,6 +33,9 @@ pub use step::{Drawn, Seen, Step};
 #[must_use]
 pub fn wgsl() -> String {
     [
+        constants(JOINT_NUMBERS),
+        constants(TURNS),
+        constants(ROLES),
         declaration::<Place>(),
         declaration::<Motion>(),
         declaration::<Spin>(),
@@ -75,10 +77,7 @@ pub fn wgsl() -> String {
 
 /// The places of the numbers in `status`, as WGSL.
 fn status() -> String {
-    let mut text = String::new();
-    for (place, (name, about)) in STATUS.iter().chain(&PAIR_STATUS).enumerate() {
-        // Writing to a string can't fail.
-        let _ = writeln!(text, "// {about}\nconst {name}: u32 = {place}u;");
-    }
-    text
+    let places = (0..).zip(STATUS.iter().chain(&PAIR_STATUS));
+    let numbers = places.map(|(place, &(name, about))| (name, place, about));
+    constants(&numbers.collect::<Vec<_>>())
 }

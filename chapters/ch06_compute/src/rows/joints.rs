@@ -3,28 +3,33 @@
 
 use glam::{Quat, Vec3};
 
-use super::layout::rows;
+use super::layout::{numbers, rows};
 
-/// No such row.
-pub const NONE: u32 = u32::MAX;
+numbers! {
+    /// What [`Node`] and [`Limit`] hold in numbers.
+    pub const JOINT_NUMBERS;
 
-/// A row that holds nothing: it fills a workgroup up.
-pub const EMPTY: u32 = 0;
-/// Nothing holds the body: it is the root of a free tree.
-pub const FREE: u32 = 1;
-/// Two points stay together: three rows of the constraint matrix.
-pub const PIN: u32 = 2;
-/// Two points and two axes stay together: five rows.
-pub const HINGE: u32 = 3;
-/// Two points keep their distance: one row.
-pub const ROD: u32 = 4;
-/// A point keeps its distance from two others: two rows.
-pub const TWO_RODS: u32 = 5;
+    /// No such row.
+    pub const NONE = u32::MAX;
 
-/// The tilt of an axis, and the twist about it, are limited.
-pub const CONE_TWIST: u32 = 1;
-/// Pitch, yaw and roll are limited.
-pub const EULER: u32 = 2;
+    /// A row that holds nothing: it fills a workgroup up.
+    pub const EMPTY = 0;
+    /// Nothing holds the body: it is the root of a free tree.
+    pub const FREE = 1;
+    /// Two points stay together: three rows of the constraint matrix.
+    pub const PIN = 2;
+    /// Two points and two axes stay together: five rows.
+    pub const HINGE = 3;
+    /// Two points keep their distance: one row.
+    pub const ROD = 4;
+    /// A point keeps its distance from two others: two rows.
+    pub const TWO_RODS = 5;
+
+    /// The tilt of an axis, and the twist about it, are limited.
+    pub const CONE_TWIST = 1;
+    /// Pitch, yaw and roll are limited.
+    pub const EULER = 2;
+}
 
 /// An angle that no turn reaches, rad: the bound of what isn't limited.
 pub const FREE_ANGLE: f32 = 10.0;

@@ -121,6 +121,37 @@ macro_rules! rows {
 // ANCHOR_END: rows
 pub(crate) use rows;
 
+/// A number that Rust and WGSL know by the same name: its name, itself, and what it means.
+pub type Number = (&'static str, u32, &'static str);
+
+/// States numbers once: each becomes a constant of Rust, and all of them a list, of which [`constants`]
+/// makes those of WGSL.
+macro_rules! numbers {
+    (
+        $(#[doc = $all:literal])+
+        pub const $All:ident;
+        $($(#[doc = $about:literal])+ pub const $Name:ident = $number:expr;)+
+    ) => {
+        $($(#[doc = $about])+ pub const $Name: u32 = $number;)+
+
+        $(#[doc = $all])+
+        pub const $All: &[$crate::rows::Number] =
+            &[$((stringify!($Name), $Name, concat!($($about),+).trim_ascii())),+];
+    };
+}
+pub(crate) use numbers;
+
+/// The WGSL of numbers: `const NONE: u32 = 4294967295u;`.
+#[must_use]
+pub fn constants(numbers: &[Number]) -> String {
+    let mut text = String::new();
+    for (name, number, about) in numbers {
+        // Writing to a string can't fail.
+        let _ = writeln!(text, "// {about}\nconst {name}: u32 = {number}u;");
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,16 +2,21 @@
 
 use glam::{Vec3, Vec4};
 
-use super::layout::rows;
+use super::layout::{numbers, rows};
 
-/// The normal runs along the line between the two core points: ball or capsule against the same.
-pub const ROUND: u32 = 0;
-/// The normal turns with body a.
-pub const WITH_A: u32 = 1;
-/// The normal turns with body b.
-pub const WITH_B: u32 = 2;
-/// The normal keeps its world direction for the step: both bodies have faces.
-pub const FIXED: u32 = 3;
+numbers! {
+    /// How the normal of a [`Manifold`] turns.
+    pub const TURNS;
+
+    /// The normal runs along the line between the two core points: ball or capsule against the same.
+    pub const ROUND = 0;
+    /// The normal turns with body a.
+    pub const WITH_A = 1;
+    /// The normal turns with body b.
+    pub const WITH_B = 2;
+    /// The normal keeps its world direction for the step: both bodies have faces.
+    pub const FIXED = 3;
+}
 
 rows! {
     /// Where two bodies touch or soon may: up to four points with one normal.

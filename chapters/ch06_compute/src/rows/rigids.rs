@@ -4,7 +4,21 @@
 use glam::{Quat, Vec3, Vec4};
 
 use super::balls::STATUS;
-use super::layout::rows;
+use super::layout::{numbers, rows};
+
+numbers! {
+    /// What a [`Rigid`] can be in the broad phase, and what its list of rows tells.
+    pub const ROLES;
+
+    /// A body in the grid.
+    pub const IN_GRID = 0;
+    /// A body that is too large for the grid.
+    pub const LARGE = 1;
+    /// A body on a fixed point: it touches nothing.
+    pub const ON_POINT = 2;
+    /// In a body's list, in the place of twice a row and the body's side: the row is a limit's.
+    pub const OF_LIMIT = 1 << 31;
+}
 
 rows! {
     /// A body. What its pairs gather lies in one run of 128 bytes, which a GPU fetches as a whole.

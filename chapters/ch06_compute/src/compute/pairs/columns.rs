@@ -1,14 +1,14 @@
 //! The columns of pairs: made, filled, and made larger.
 
 use super::super::scan::{blocks, scan_of};
-use super::plan::{CELLS_AHEAD, ON_POINT, Plan, TOO_LARGE, ends_at, poles_of};
+use super::plan::{CELLS_AHEAD, Plan, ends_at, poles_of};
 use crate::bodies::Bodies;
 use crate::lanes::forces::Forces;
 use crate::own_row::tree::Trees;
 use crate::rows::{
-    Before, Bound, Contact, Drawn, GridOf, Held, Holding, Limit, Memory, Mouse, NONE, Node,
-    PAIR_STATUS_LEN, PairsOf, Partner, Pivot, Pole, Pressed, Rigid, Seen, Step, Total, Turned,
-    status_place,
+    Before, Bound, Contact, Drawn, GridOf, Held, Holding, IN_GRID, LARGE, Limit, Memory, Mouse,
+    NONE, Node, ON_POINT, PAIR_STATUS_LEN, PairsOf, Partner, Pivot, Pole, Pressed, Rigid, Seen,
+    Step, Total, Turned, status_place,
 };
 use crate::stream::{Columns, Gpu, StreamError};
 use ch00_scenes::Scene;
@@ -296,9 +296,9 @@ fn role_of(bodies: &Bodies, plan: &Plan, row: usize, is_aside: bool) -> u32 {
         return ON_POINT;
     }
     if bodies.place[row].reach > plan.largest_in_grid {
-        TOO_LARGE
+        LARGE
     } else {
-        0
+        IN_GRID
     }
 }
 

@@ -7,16 +7,10 @@ use crate::grid::{Grid, largest_in_grid};
 use crate::lanes::forces::Forces;
 use crate::own_row::narrow::{PAIR_KINDS, pair_kind};
 use crate::own_row::tree::Trees;
-use crate::rows::{EULER, GridOf, HINGE, Limit, NONE, Node, PairsOf, Place, Pole, ROD, TWO_RODS};
+use crate::rows::{
+    EULER, GridOf, HINGE, Limit, NONE, Node, OF_LIMIT, PairsOf, Place, Pole, ROD, TWO_RODS,
+};
 use crate::rules::MARGIN;
-
-/// A body that is too large for the grid.
-pub const TOO_LARGE: u32 = 1;
-/// A body on a fixed point: it touches nothing.
-pub const ON_POINT: u32 = 2;
-
-/// Set in the list of a body where a row is a limit's: `common/pairing.wgsl` has it too.
-const OF_LIMIT: u32 = 1 << 31;
 
 /// Edge of a cell, in reaches of the widest body of the grid.
 const EDGE: f32 = 2.2;
