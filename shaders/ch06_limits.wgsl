@@ -15,9 +15,8 @@ fn solve_limits(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let limit = limits[row];
-    var a = side_of(rigids[limit.a]);
-    var b = side_of(rigids[limit.b]);
-    let solved = solve_limit(limit, turned[row], &a, &b, step.h);
+    var sides = Sides(side_of(rigids[limit.a]), side_of(rigids[limit.b]));
+    let solved = solve_limit(limit, turned[row], &sides, step.h);
     limits[row].impulses = solved.impulses;
     turned[row] = solved.gives;
 }

@@ -30,33 +30,24 @@ fn still(side: Side) -> Bone {
 // ANCHOR: mend
 // Mends `given` so that the relative motion at the joint's point becomes `wanted`: first of the point, then
 // of a hinge's axes.
-fn mend(
-    kind: u32,
-    link: Link,
-    wanted: Rate,
-    given: ptr<function, Wrench>,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-) {
-    let reply = symmetric_plus(point_reply(*a, link.parent_arm), point_reply(*b, link.arm));
+fn mend(kind: u32, link: Link, wanted: Rate, given: ptr<function, Wrench>, sides: ptr<function, Sides>) {
+    let reply = symmetric_plus(point_reply((*sides).a, link.parent_arm), point_reply((*sides).b, link.arm));
     for (var sweep = 0u; sweep < LOOP_SWEEPS; sweep++) {
-        let parts = parting_at(link, *a, *b);
+        let parts = parting_at(link, sides);
         var impulse: vec3f;
         if kind == ROD {
             let lacks = wanted.velocity.x - dot(link.along, parts);
             let answer = dot(link.along, symmetric_times(reply, link.along));
             impulse = link.along * (lacks / max(answer, LEAST));
         } else {
-            let holding = symmetric_inverse(reply, (*a).shared_mass + (*b).shared_mass);
+            let holding = symmetric_inverse(reply, (*sides).a.shared_mass + (*sides).b.shared_mass);
             impulse = symmetric_times(holding, wanted.velocity - parts);
         }
-        take(a, -impulse, -cross(link.parent_arm, impulse));
-        take(b, impulse, cross(link.arm, impulse));
+        take_both(sides, impulse, -cross(link.parent_arm, impulse), cross(link.arm, impulse));
         (*given).impulse += impulse;
         if kind == HINGE {
-            let turning = aligning(link.along, wanted.spin, *a, *b);
-            take(a, vec3f(0.0), -turning);
-            take(b, vec3f(0.0), turning);
+            let turning = aligning(link.along, wanted.spin, sides);
+            take_both(sides, vec3f(0.0), -turning, turning);
             (*given).turning += turning;
         }
     }
@@ -64,18 +55,18 @@ fn mend(
 // ANCHOR_END: mend
 
 // Velocity of b's point away from a's, m/s.
-fn parting_at(link: Link, a: Side, b: Side) -> vec3f {
-    return b.velocity + cross(b.angular_velocity, link.arm)
-        - a.velocity - cross(a.angular_velocity, link.parent_arm);
+fn parting_at(link: Link, sides: ptr<function, Sides>) -> vec3f {
+    return (*sides).b.velocity + cross((*sides).b.angular_velocity, link.arm)
+        - (*sides).a.velocity - cross((*sides).a.angular_velocity, link.parent_arm);
 }
 
 // The turning impulse across a hinge's axis that makes the relative spin there what is wanted.
-fn aligning(axis: vec3f, wanted: vec3f, a: Side, b: Side) -> vec3f {
+fn aligning(axis: vec3f, wanted: vec3f, sides: ptr<function, Sides>) -> vec3f {
     let u = across(axis);
     let w = cross(axis, u);
-    let lacks = wanted - (b.angular_velocity - a.angular_velocity);
-    let by_u = a.shared_inertia * u + b.shared_inertia * u;
-    let by_w = a.shared_inertia * w + b.shared_inertia * w;
+    let lacks = wanted - ((*sides).b.angular_velocity - (*sides).a.angular_velocity);
+    let by_u = (*sides).a.shared_inertia * u + (*sides).b.shared_inertia * u;
+    let by_w = (*sides).a.shared_inertia * w + (*sides).b.shared_inertia * w;
     let uu = dot(u, by_u);
     let uw = dot(u, by_w);
     let ww = dot(w, by_w);
@@ -94,23 +85,20 @@ fn solve_loops(@builtin(global_invocation_id) id: vec3u) {
     }
     let node = loops[row];
     let before = loop_presses[row];
-    var a = side_of(rigids[node.parent_body]);
-    var b = side_of(rigids[node.body]);
+    var sides = Sides(side_of(rigids[node.parent_body]), side_of(rigids[node.body]));
     var none: Bone;
-    let link = link_of(node, still(b), still(a), none, step.h);
+    let link = link_of(node, still(sides.b), still(sides.a), none, step.h);
     var given = again(node, link);
     let change = given.impulse - before.linear;
-    take(&a, -change, wrench_at(given, -link.parent_arm).turning * -1.0 - before.turning[0].xyz);
-    take(&b, change, wrench_at(given, -link.arm).turning - before.turning[2].xyz);
+    let turning_a = wrench_at(given, -link.parent_arm).turning * -1.0 - before.turning[0].xyz;
+    let turning_b = wrench_at(given, -link.arm).turning - before.turning[2].xyz;
+    take_both(&sides, change, turning_a, turning_b);
     var rest: Rate;
-    mend(node.kind, link, rest, &given, &a, &b);
-    a.velocity = vec3f(0.0);
-    a.angular_velocity = vec3f(0.0);
-    b.velocity = vec3f(0.0);
-    b.angular_velocity = vec3f(0.0);
+    mend(node.kind, link, rest, &given, &sides);
+    stop_both(&sides);
     var pushed: Wrench;
     let closes = Rate(LOOP_SHARE * link.wanted[0].velocity, LOOP_SHARE * link.wanted[0].spin);
-    mend(node.kind, link, closes, &pushed, &a, &b);
+    mend(node.kind, link, closes, &pushed, &sides);
     loops[row].impulse = given.impulse;
     loops[row].turning = given.turning;
     loop_presses[row].linear = given.impulse;

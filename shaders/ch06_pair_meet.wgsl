@@ -117,10 +117,10 @@ fn meet_pair(pair: u32, rows: vec2u) -> u32 {
     let memory = carry(old, &m);
     touches[pair] = contact_of(rows, &m, a, b);
     memories[pair] = memory;
-    var side_a = side_of(a);
-    var side_b = side_of(b);
+    var sides = Sides(side_of(a), side_of(b));
     let impulse = Impulse(memory.normal, memory.friction, memory.twist);
-    presses[pairs_of.before + pair] = pressed_of(press_again(&m, impulse, &side_a, &side_b, step.h), 0.0);
+    let pressed = press_again(&m, impulse, &sides, step.h);
+    presses[pairs_of.before + pair] = pressed_of(pressed, 0.0);
     return m.points;
 }
 

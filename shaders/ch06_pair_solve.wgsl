@@ -70,9 +70,8 @@ fn invocations_of_limits() -> u32 {
 
 fn solve_limit_row(row: u32) {
     let limit = limits[row];
-    var a = side_of(rigids[limit.a]);
-    var b = side_of(rigids[limit.b]);
-    let solved = solve_limit(limit, turned[row], &a, &b, step.h);
+    var sides = Sides(side_of(rigids[limit.a]), side_of(rigids[limit.b]));
+    let solved = solve_limit(limit, turned[row], &sides, step.h);
     limits[row].impulses = solved.impulses;
     turned[row] = solved.gives;
 }
@@ -88,13 +87,12 @@ fn solve_live(noted: vec4u) {
     if BOUNCES {
         approach = memories[pair].approach;
     }
-    var a = side_of(rigids[noted.y]);
-    var b = side_of(rigids[noted.z]);
+    var sides = Sides(side_of(rigids[noted.y]), side_of(rigids[noted.z]));
     if BOUNCES {
-        a.before = befores[noted.y];
-        b.before = befores[noted.z];
+        sides.a.before = befores[noted.y];
+        sides.b.before = befores[noted.z];
     }
-    let pressed = solve_pair(&m, material, &impulse, &approach, &a, &b, step);
+    let pressed = solve_pair(&m, material, &impulse, &approach, &sides, step);
     memories[pair].normal = impulse.normal;
     memories[pair].friction = impulse.friction;
     memories[pair].twist = impulse.twist;
@@ -121,9 +119,8 @@ fn pair_restore(@builtin(global_invocation_id) id: vec3u) {
     var pressed: Press;
     if bounces(approach, material, step) {
         var m = manifold_of(pair, noted.w);
-        var a = side_of(rigids[noted.y]);
-        var b = side_of(rigids[noted.z]);
-        pressed = restore_pair(&m, material, approach, &a, &b, step);
+        var sides = Sides(side_of(rigids[noted.y]), side_of(rigids[noted.z]));
+        pressed = restore_pair(&m, material, approach, &sides, step);
     }
     presses[pairs_of.before + pair] = pressed_of(pressed, 0.0);
 }

@@ -13,48 +13,40 @@ const BOUNCE_SWEEPS: u32 = 16u;
 // in the next. The speed is that at the surface: u² = c² + 2 a s, with c the speed of approach before the
 // substep's kick.
 fn note_impacts(
-    m: ptr<function, Manifold>,
     t: ptr<function, Touching>,
     approach: ptr<function, vec4f>,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
+    sides: ptr<function, Sides>,
     step: Step,
 ) -> bool {
     var soon = false;
-    let closing = closing_pull((*t).normal, a, b, step.gravity);
+    let closing = closing_pull((*t).normal, sides, step.gravity);
     for (var k = 0u; k < POINTS; k++) {
-        if k < (*m).points {
-            if comes(m, t, k, a, b, step.h) {
-                let before = max(-parting_before(t, k, a, b), 0.0);
+        if k < (*t).points {
+            if comes(t, k, sides, step.h) {
+                let before = max(-parting_before(t, k, sides), 0.0);
                 let squared = before * before + 2.0 * closing * max((*t).distance[k], 0.0);
                 (*approach)[k] = min((*approach)[k], -sqrt(max(squared, 0.0)));
             }
-            soon = soon || meets(m, t, k, a, b, 2.0 * step.h);
+            soon = soon || meets(t, k, sides, 2.0 * step.h);
         }
     }
     return soon;
 }
 
 // The acceleration with which gravity brings a and b together along the normal, m/s².
-fn closing_pull(normal: vec3f, a: ptr<function, Side>, b: ptr<function, Side>, gravity: vec3f) -> f32 {
+fn closing_pull(normal: vec3f, sides: ptr<function, Sides>, gravity: vec3f) -> f32 {
     let along = dot(gravity, normal);
-    return select(0.0, along, (*a).inverse_mass > 0.0) - select(0.0, along, (*b).inverse_mass > 0.0);
+    return select(0.0, along, (*sides).a.inverse_mass > 0.0)
+        - select(0.0, along, (*sides).b.inverse_mass > 0.0);
 }
 // ANCHOR_END: note_impacts
 
 // Whether a point is active. If none is, the pair presses no more.
-fn activate(
-    m: ptr<function, Manifold>,
-    t: ptr<function, Touching>,
-    impulse: Impulse,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-    h: f32,
-) -> bool {
+fn activate(t: ptr<function, Touching>, impulse: Impulse, sides: ptr<function, Sides>, h: f32) -> bool {
     var is_active = false;
     for (var k = 0u; k < POINTS; k++) {
-        if k < (*m).points {
-            is_active = is_active || impulse.normal[k] > 0.0 || meets(m, t, k, a, b, h);
+        if k < (*t).points {
+            is_active = is_active || impulse.normal[k] > 0.0 || meets(t, k, sides, h);
         }
     }
     return is_active;
@@ -62,20 +54,15 @@ fn activate(
 
 // ANCHOR: replies
 // Dₖ = Σⱼ |Aₖⱼ|, 1/kg, where Aₖⱼ is what a unit impulse at point j makes of the speed at point k.
-fn replies(
-    t: ptr<function, Touching>,
-    points: u32,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-) -> vec4f {
+fn replies(t: ptr<function, Touching>, sides: ptr<function, Sides>) -> vec4f {
     var sums = vec4f(0.0);
-    let masses = (*a).shared_mass + (*b).shared_mass;
+    let masses = (*sides).a.shared_mass + (*sides).b.shared_mass;
     for (var k = 0u; k < POINTS; k++) {
-        if k < points {
-            let turned_a = (*a).shared_inertia * (*t).lever_a[k];
-            let turned_b = (*b).shared_inertia * (*t).lever_b[k];
+        if k < (*t).points {
+            let turned_a = (*sides).a.shared_inertia * (*t).lever_a[k];
+            let turned_b = (*sides).b.shared_inertia * (*t).lever_b[k];
             for (var j = 0u; j < POINTS; j++) {
-                if j < points {
+                if j < (*t).points {
                     let turns = dot((*t).lever_a[j], turned_a) + dot((*t).lever_b[j], turned_b);
                     sums[k] += abs(masses + turns);
                 }
@@ -91,21 +78,19 @@ fn replies(
 // touches; impulses may be taken back but never pull.
 fn mend_normals(
     t: ptr<function, Touching>,
-    points: u32,
     impulse: ptr<function, Impulse>,
     reply: vec4f,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
+    sides: ptr<function, Sides>,
     h: f32,
 ) {
     var linear = 0.0;
     var turning_a = vec3f(0.0);
     var turning_b = vec3f(0.0);
     for (var k = 0u; k < POINTS; k++) {
-        if k < points {
+        if k < (*t).points {
             let room = max((*t).distance[k], 0.0) / h;
             let last = (*impulse).normal[k];
-            let wanted = last - (parting(t, k, a, b) + room) / max(reply[k], SMALL);
+            let wanted = last - (parting(t, k, sides) + room) / max(reply[k], SMALL);
             let change = max(wanted, 0.0) - last;
             (*impulse).normal[k] = last + change;
             linear += change;
@@ -113,8 +98,7 @@ fn mend_normals(
             turning_b += change * (*t).lever_b[k];
         }
     }
-    take(a, -linear * (*t).normal, turning_a);
-    take(b, linear * (*t).normal, turning_b);
+    take_both(sides, linear * (*t).normal, turning_a, turning_b);
 }
 // ANCHOR_END: mend_normals
 
@@ -123,25 +107,22 @@ fn mend_normals(
 // friction holds as long as μ_s allows; beyond it the pair slips and kinetic friction is left.
 fn mend_friction(
     t: ptr<function, Touching>,
-    points: u32,
     impulse: ptr<function, Impulse>,
     material: Material,
     reply: f32,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
+    sides: ptr<function, Sides>,
 ) {
     let pressed = dot((*impulse).normal, vec4f(1.0));
     let normal = (*t).normal;
-    if points > 1u {
-        mend_twist(t, impulse, material, pressed, a, b);
+    if (*t).points > 1u {
+        mend_twist(t, impulse, material, pressed, sides);
     }
-    let sliding = sliding_at((*t).mean_a, (*t).mean_b, a, b);
+    let sliding = sliding_at((*t).mean_a, (*t).mean_b, sides);
     let last = (*impulse).friction;
     let held = last - dot(last, normal) * normal - (sliding - dot(sliding, normal) * normal) / reply;
     (*impulse).friction = coulomb(held, pressed, material);
     let change = (*impulse).friction - last;
-    take(a, -change, -cross((*t).mean_a, change));
-    take(b, change, cross((*t).mean_b, change));
+    take_both(sides, change, -cross((*t).mean_a, change), cross((*t).mean_b, change));
 }
 
 // What friction gives of what it would take to hold.
@@ -159,64 +140,55 @@ fn mend_twist(
     impulse: ptr<function, Impulse>,
     material: Material,
     pressed: f32,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
+    sides: ptr<function, Sides>,
 ) {
     let normal = (*t).normal;
-    let reply = dot(normal, (*a).shared_inertia * normal + (*b).shared_inertia * normal);
-    let rate = dot(normal, (*b).angular_velocity - (*a).angular_velocity);
+    let reply = dot(normal, (*sides).a.shared_inertia * normal + (*sides).b.shared_inertia * normal);
+    let rate = dot(normal, (*sides).b.angular_velocity - (*sides).a.angular_velocity);
     let most = material.friction * pressed * (*t).spread;
     let last = (*impulse).twist;
     (*impulse).twist = clamp(last - rate / max(reply, SMALL), -most, most);
     let change = ((*impulse).twist - last) * normal;
-    take(a, vec3f(0.0), -change);
-    take(b, vec3f(0.0), change);
+    take_both(sides, vec3f(0.0), -change, change);
 }
 
 // The larger of what a unit impulse makes of the sliding speed in two directions across the normal, 1/kg.
-fn sliding_reply(t: ptr<function, Touching>, a: ptr<function, Side>, b: ptr<function, Side>) -> f32 {
+fn sliding_reply(t: ptr<function, Touching>, sides: ptr<function, Sides>) -> f32 {
     let one = across((*t).normal);
     let two = cross((*t).normal, one);
-    let along = max(sliding_along(t, one, a, b), sliding_along(t, two, a, b));
-    return max((*a).shared_mass + (*b).shared_mass + along, SMALL);
+    let along = max(sliding_along(t, one, sides), sliding_along(t, two, sides));
+    return max((*sides).a.shared_mass + (*sides).b.shared_mass + along, SMALL);
 }
 
-fn sliding_along(
-    t: ptr<function, Touching>,
-    direction: vec3f,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-) -> f32 {
+fn sliding_along(t: ptr<function, Touching>, direction: vec3f, sides: ptr<function, Sides>) -> f32 {
     let on_a = cross((*t).mean_a, direction);
     let on_b = cross((*t).mean_b, direction);
-    return dot(on_a, (*a).shared_inertia * on_a) + dot(on_b, (*b).shared_inertia * on_b);
+    return dot(on_a, (*sides).a.shared_inertia * on_a) + dot(on_b, (*sides).b.shared_inertia * on_b);
 }
 // ANCHOR_END: mend_friction
 
 // ANCHOR: push_out
 // Pushes bodies that are inside each other apart: a velocity that moves them in this substep and is then
-// forgotten, so that no speed is left of it. `a` and `b` must not move.
+// forgotten, so that no speed is left of it. The bodies must not move.
 fn push_out(
     t: ptr<function, Touching>,
-    points: u32,
     reply: vec4f,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
+    sides: ptr<function, Sides>,
     step: Step,
     pressed: ptr<function, Press>,
 ) {
     var pushes = vec4f(0.0);
-    let share = select(step.push_share, step.push_share_of_many, points > 1u);
-    let sweeps = select(1u, INNER_SWEEPS, points > 1u);
+    let share = select(step.push_share, step.push_share_of_many, (*t).points > 1u);
+    let sweeps = select(1u, INNER_SWEEPS, (*t).points > 1u);
     for (var sweep = 0u; sweep < sweeps; sweep++) {
         var linear = 0.0;
         var turning_a = vec3f(0.0);
         var turning_b = vec3f(0.0);
         for (var k = 0u; k < POINTS; k++) {
-            if k < points {
+            if k < (*t).points {
                 let depth = -(*t).distance[k] - step.slop;
                 let speed = min(share * depth / step.h, step.fastest_push);
-                let lacks = speed - parting(t, k, a, b);
+                let lacks = speed - parting(t, k, sides);
                 let wanted = select(0.0, pushes[k] + lacks / max(reply[k], SMALL), depth > 0.0);
                 let change = max(wanted, 0.0) - pushes[k];
                 pushes[k] += change;
@@ -225,8 +197,7 @@ fn push_out(
                 turning_b += change * (*t).lever_b[k];
             }
         }
-        take(a, -linear * (*t).normal, turning_a);
-        take(b, linear * (*t).normal, turning_b);
+        take_both(sides, linear * (*t).normal, turning_a, turning_b);
         (*pressed).push += linear * (*t).normal;
         (*pressed).push_a += turning_a;
         (*pressed).push_b += turning_b;
@@ -242,33 +213,30 @@ fn solve_pair(
     material: Material,
     impulse: ptr<function, Impulse>,
     approach: ptr<function, vec4f>,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
+    sides: ptr<function, Sides>,
     step: Step,
 ) -> Press {
-    let points = (*m).points;
-    var t = touching(m, a, b);
-    let soon = note_impacts(m, &t, approach, a, b, step);
+    var t = touching(m, sides);
+    let soon = note_impacts(&t, approach, sides, step);
     let pressed_before = any((*impulse).normal > vec4f(0.0));
     var pressed: Press;
-    if activate(m, &t, *impulse, a, b, step.h) {
-        let reply = replies(&t, points, a, b);
-        let sliding = sliding_reply(&t, a, b);
-        let sweeps = select(1u, INNER_SWEEPS, points > 1u);
+    if activate(&t, *impulse, sides, step.h) {
+        let reply = replies(&t, sides);
+        let sliding = sliding_reply(&t, sides);
+        let sweeps = select(1u, INNER_SWEEPS, t.points > 1u);
         for (var sweep = 0u; sweep < sweeps; sweep++) {
-            mend_normals(&t, points, impulse, reply, a, b, step.h);
-            mend_friction(&t, points, impulse, material, sliding, a, b);
+            mend_normals(&t, impulse, reply, sides, step.h);
+            mend_friction(&t, impulse, material, sliding, sides);
         }
-        pressed = press(&t, points, *impulse);
-        stop(a);
-        stop(b);
-        push_out(&t, points, reply, a, b, step, &pressed);
+        pressed = press(&t, *impulse);
+        stop_both(sides);
+        push_out(&t, reply, sides, step, &pressed);
     } else {
         *impulse = Impulse();
     }
     let presses = any((*impulse).normal > vec4f(0.0));
     pressed.counts = select(0.0, 1.0, soon || presses);
-    if !pressed_before && is_impact(pressed, (*a).inverse_mass + (*b).inverse_mass, step) {
+    if !pressed_before && is_impact(pressed, (*sides).a.inverse_mass + (*sides).b.inverse_mass, step) {
         pressed.stays = 0.0;
         *impulse = Impulse();
     }
@@ -279,12 +247,6 @@ fn solve_pair(
 // Whether what a pair newly pressed is an impact rather than the beginning of rest.
 fn is_impact(pressed: Press, inverse_masses: f32, step: Step) -> bool {
     return length(pressed.linear) * inverse_masses > step.impact_speed;
-}
-
-// The body without its velocities.
-fn stop(side: ptr<function, Side>) {
-    (*side).velocity = vec3f(0.0);
-    (*side).angular_velocity = vec3f(0.0);
 }
 
 // Whether a pair bounces at the end of the step: it had an impact faster than the threshold.
@@ -300,22 +262,20 @@ fn restore_pair(
     m: ptr<function, Manifold>,
     material: Material,
     approach: vec4f,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
+    sides: ptr<function, Sides>,
     step: Step,
 ) -> Press {
-    let points = (*m).points;
-    var t = touching(m, a, b);
-    let reply = replies(&t, points, a, b);
-    let sliding = sliding_reply(&t, a, b);
+    var t = touching(m, sides);
+    let reply = replies(&t, sides);
+    let sliding = sliding_reply(&t, sides);
     var added: Impulse;
     for (var sweep = 0u; sweep < BOUNCE_SWEEPS; sweep++) {
         var linear = 0.0;
         var turning_a = vec3f(0.0);
         var turning_b = vec3f(0.0);
         for (var k = 0u; k < POINTS; k++) {
-            if k < points {
-                let lacks = -material.restitution * approach[k] - parting(&t, k, a, b);
+            if k < t.points {
+                let lacks = -material.restitution * approach[k] - parting(&t, k, sides);
                 let hits = approach[k] < -step.restitution_threshold;
                 let wanted = select(0.0, added.normal[k] + lacks / max(reply[k], SMALL), hits);
                 let change = max(wanted, 0.0) - added.normal[k];
@@ -325,10 +285,9 @@ fn restore_pair(
                 turning_b += change * t.lever_b[k];
             }
         }
-        take(a, -linear * t.normal, turning_a);
-        take(b, linear * t.normal, turning_b);
-        mend_friction(&t, points, &added, material, sliding, a, b);
+        take_both(sides, linear * t.normal, turning_a, turning_b);
+        mend_friction(&t, &added, material, sliding, sides);
     }
-    return press(&t, points, added);
+    return press(&t, added);
 }
 // ANCHOR_END: restore_pair

@@ -87,11 +87,11 @@ struct Pinned {
     holding: Symmetric,
 }
 
-fn pinned_of(limit: Limit, a: Side, b: Side) -> Pinned {
-    let arm_a = quat_rotate(a.attitude, limit.anchor_a);
-    let arm_b = quat_rotate(b.attitude, limit.anchor_b);
-    let reply = symmetric_plus(point_reply(a, arm_a), point_reply(b, arm_b));
-    return Pinned(arm_a, arm_b, symmetric_inverse(reply, a.shared_mass + b.shared_mass));
+fn pinned_of(limit: Limit, sides: ptr<function, Sides>) -> Pinned {
+    let arm_a = quat_rotate((*sides).a.attitude, limit.anchor_a);
+    let arm_b = quat_rotate((*sides).b.attitude, limit.anchor_b);
+    let reply = symmetric_plus(point_reply((*sides).a, arm_a), point_reply((*sides).b, arm_b));
+    return Pinned(arm_a, arm_b, symmetric_inverse(reply, (*sides).a.shared_mass + (*sides).b.shared_mass));
 }
 
 // How a turning impulse on b, and its opposite on a, changes the spins of both.
@@ -100,28 +100,28 @@ struct Spins {
     b: vec3f,
 }
 
-fn turned_by(pinned: Pinned, a: Side, b: Side, turning: vec3f) -> Spins {
-    let turn_a = a.shared_inertia * turning;
-    let turn_b = b.shared_inertia * turning;
+fn turned_by(pinned: Pinned, sides: ptr<function, Sides>, turning: vec3f) -> Spins {
+    let turn_a = (*sides).a.shared_inertia * turning;
+    let turn_b = (*sides).b.shared_inertia * turning;
     let parting = cross(turn_b, pinned.arm_b) + cross(turn_a, pinned.arm_a);
     let held = symmetric_times(pinned.holding, parting);
     return Spins(
-        a.shared_inertia * cross(pinned.arm_a, held) - turn_a,
-        turn_b - b.shared_inertia * cross(pinned.arm_b, held),
+        (*sides).a.shared_inertia * cross(pinned.arm_a, held) - turn_a,
+        turn_b - (*sides).b.shared_inertia * cross(pinned.arm_b, held),
     );
 }
 
 // The relative spin that a turning impulse makes.
-fn spin_of(pinned: Pinned, a: Side, b: Side, turning: vec3f) -> vec3f {
-    let spins = turned_by(pinned, a, b, turning);
+fn spin_of(pinned: Pinned, sides: ptr<function, Sides>, turning: vec3f) -> vec3f {
+    let spins = turned_by(pinned, sides, turning);
     return spins.b - spins.a;
 }
 
 // What the limit alone makes of its two bodies.
-fn turn_both(pinned: Pinned, a: ptr<function, Side>, b: ptr<function, Side>, turning: vec3f) {
-    let spins = turned_by(pinned, *a, *b, turning);
-    (*a).angular_velocity += spins.a;
-    (*b).angular_velocity += spins.b;
+fn turn_both(pinned: Pinned, sides: ptr<function, Sides>, turning: vec3f) {
+    let spins = turned_by(pinned, sides, turning);
+    (*sides).a.angular_velocity += spins.a;
+    (*sides).b.angular_velocity += spins.b;
 }
 // ANCHOR_END: pinned
 
@@ -140,15 +140,14 @@ fn solve_turn(
     pinned: Pinned,
     impulse: f32,
     gives: ptr<function, Turned>,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
+    sides: ptr<function, Sides>,
     h: f32,
 ) -> f32 {
     if turn.side == 0.0 || turn.room > FAR {
         return impulse;
     }
-    let reply = max(dot(turn.axis, spin_of(pinned, *a, *b, turn.axis)), SMALL_SINE);
-    let rate = dot(turn.axis, (*b).angular_velocity - (*a).angular_velocity);
+    let reply = max(dot(turn.axis, spin_of(pinned, sides, turn.axis)), SMALL_SINE);
+    let rate = dot(turn.axis, (*sides).b.angular_velocity - (*sides).a.angular_velocity);
     let back = returning(max(-turn.room - TURN_SLOP, 0.0), h);
     let off = turn.side * rate + max(turn.room, 0.0) / h - back;
     let bounded = turn.side * max(turn.side * impulse - off / reply, 0.0);
@@ -156,8 +155,8 @@ fn solve_turn(
     let wanted = select(bounded, locked, turn.is_locked);
     let change = (wanted - impulse) * turn.axis;
     (*gives).turning += change;
-    turn_both(pinned, a, b, change);
-    let pushed = dot(turn.axis, spin_of(pinned, *a, *b, (*gives).push));
+    turn_both(pinned, sides, change);
+    let pushed = dot(turn.axis, spin_of(pinned, sides, (*gives).push));
     (*gives).push += turn.axis * pushed_back(turn, pushed, reply, h);
     return wanted;
 }
@@ -181,8 +180,8 @@ fn pushed_back(turn: Bounded, pushed: f32, reply: f32, h: f32) -> f32 {
 // ANCHOR_END: solve_turn
 
 // Whether a turn is at its bound or may be in the next substep.
-fn is_near(turn: Bounded, a: Side, b: Side, h: f32) -> bool {
-    let rate = turn.side * dot(turn.axis, b.angular_velocity - a.angular_velocity);
+fn is_near(turn: Bounded, sides: ptr<function, Sides>, h: f32) -> bool {
+    let rate = turn.side * dot(turn.axis, (*sides).b.angular_velocity - (*sides).a.angular_velocity);
     return turn.side != 0.0 && (turn.is_locked || turn.room + 2.0 * h * rate < NEAR);
 }
 
@@ -195,18 +194,12 @@ struct SolvedLimit {
 // ANCHOR: solve_limit
 // Mends the impulses of a limit so that its bodies, with the share of their masses that it has, don't turn
 // beyond a bound. `before` is what it gave them in the last substep; it works now only if it counted then.
-fn solve_limit(
-    limit: Limit,
-    before: Turned,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-    h: f32,
-) -> SolvedLimit {
-    let turns = turns_of(limit, (*a).attitude, (*b).attitude);
+fn solve_limit(limit: Limit, before: Turned, sides: ptr<function, Sides>, h: f32) -> SolvedLimit {
+    let turns = turns_of(limit, (*sides).a.attitude, (*sides).b.attitude);
     var impulses = vec3f(0.0);
     var gives: Turned;
     if before.counts > 0.0 {
-        let pinned = pinned_of(limit, *a, *b);
+        let pinned = pinned_of(limit, sides);
         impulses = vec3f(
             still_holds(turns[0], limit.impulses.x),
             still_holds(turns[1], limit.impulses.y),
@@ -214,16 +207,16 @@ fn solve_limit(
         );
         gives.turning = impulses.x * turns[0].axis + impulses.y * turns[1].axis
             + impulses.z * turns[2].axis;
-        turn_both(pinned, a, b, gives.turning - before.turning);
+        turn_both(pinned, sides, gives.turning - before.turning);
         // First the swing, then the twist, each from the velocities that the one before left.
-        impulses.x = solve_turn(turns[0], pinned, impulses.x, &gives, a, b, h);
+        impulses.x = solve_turn(turns[0], pinned, impulses.x, &gives, sides, h);
         if EULER_LIMITS {
-            impulses.z = solve_turn(turns[2], pinned, impulses.z, &gives, a, b, h);
+            impulses.z = solve_turn(turns[2], pinned, impulses.z, &gives, sides, h);
         }
-        impulses.y = solve_turn(turns[1], pinned, impulses.y, &gives, a, b, h);
+        impulses.y = solve_turn(turns[1], pinned, impulses.y, &gives, sides, h);
     }
-    let near = is_near(turns[0], *a, *b, h) || is_near(turns[1], *a, *b, h)
-        || is_near(turns[2], *a, *b, h);
+    let near = is_near(turns[0], sides, h) || is_near(turns[1], sides, h)
+        || is_near(turns[2], sides, h);
     gives.counts = select(0.0, 1.0, near || any(impulses != vec3f(0.0)));
     return SolvedLimit(impulses, gives);
 }

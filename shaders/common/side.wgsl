@@ -25,6 +25,12 @@ struct Side {
 }
 // ANCHOR_END: side
 
+// Both, as one thing, for functions that look at both or change both.
+struct Sides {
+    a: Side,
+    b: Side,
+}
+
 fn side_of(rigid: Rigid) -> Side {
     var side: Side;
     side.position = rigid.position;
@@ -44,10 +50,21 @@ fn world_inertia(q: vec4f, diagonal: vec3f) -> mat3x3f {
     return scaled * transpose(r);
 }
 
-// The same body, moved by an impulse and turned by another: what the pair alone makes of it.
-fn take(side: ptr<function, Side>, impulse: vec3f, turning: vec3f) {
-    (*side).velocity += impulse * (*side).shared_mass;
-    (*side).angular_velocity += (*side).shared_inertia * turning;
+// What an impulse on b and its opposite on a, and a turning impulse on each, make of the two: with the
+// shares of their masses, as if nothing else acted.
+fn take_both(sides: ptr<function, Sides>, impulse: vec3f, turning_a: vec3f, turning_b: vec3f) {
+    (*sides).a.velocity -= impulse * (*sides).a.shared_mass;
+    (*sides).a.angular_velocity += (*sides).a.shared_inertia * turning_a;
+    (*sides).b.velocity += impulse * (*sides).b.shared_mass;
+    (*sides).b.angular_velocity += (*sides).b.shared_inertia * turning_b;
+}
+
+// Both without their velocities.
+fn stop_both(sides: ptr<function, Sides>) {
+    (*sides).a.velocity = vec3f(0.0);
+    (*sides).a.angular_velocity = vec3f(0.0);
+    (*sides).b.velocity = vec3f(0.0);
+    (*sides).b.angular_velocity = vec3f(0.0);
 }
 
 // Two unit vectors across a unit vector and across each other: the first of them. [Duff and others 2017]

@@ -25,14 +25,19 @@ struct Touching {
     mean_b: vec3f,
     // From a's centre to b's, m.
     apart: vec3f,
+    // What the surfaces of round bodies are away from their core points together, m; negative where they
+    // aren't round.
+    reach: f32,
+    // How many points there are.
+    points: u32,
 }
 
 // Where the points are for bodies where they are now: both arms of a point end at the same place, so
 // that what one body gains in angular momentum the other loses.
-fn touching(m: ptr<function, Manifold>, a: ptr<function, Side>, b: ptr<function, Side>) -> Touching {
-    let apart = (*b).position - (*a).position;
-    let turn_a = quat_matrix((*a).attitude);
-    let turn_b = quat_matrix((*b).attitude);
+fn touching(m: ptr<function, Manifold>, sides: ptr<function, Sides>) -> Touching {
+    let apart = (*sides).b.position - (*sides).a.position;
+    let turn_a = quat_matrix((*sides).a.attitude);
+    let turn_b = quat_matrix((*sides).b.attitude);
     let points = (*m).points;
     var core_a: array<vec3f, 4>;
     var core_b: array<vec3f, 4>;
@@ -60,6 +65,8 @@ fn touching(m: ptr<function, Manifold>, a: ptr<function, Side>, b: ptr<function,
     }
     t.mean_b = t.mean_a - apart;
     t.apart = apart;
+    t.reach = select(-1.0, (*m).round_a + (*m).round_b, (*m).turns == ROUND);
+    t.points = points;
     for (var k = 0u; k < POINTS; k++) {
         if k < points && points > 1u {
             t.spread += length(t.arm_a[k] - t.mean_a) * share;
@@ -101,48 +108,36 @@ fn normal_now(normal: vec3f, turns: u32, turn_a: mat3x3f, turn_b: mat3x3f, line:
 // ANCHOR_END: touching
 
 // Speed of b away from a along the normal at point k, m/s.
-fn parting(t: ptr<function, Touching>, k: u32, a: ptr<function, Side>, b: ptr<function, Side>) -> f32 {
-    return dot((*t).normal, (*b).velocity - (*a).velocity)
-        + dot((*t).lever_b[k], (*b).angular_velocity)
-        - dot((*t).lever_a[k], (*a).angular_velocity);
+fn parting(t: ptr<function, Touching>, k: u32, sides: ptr<function, Sides>) -> f32 {
+    return dot((*t).normal, (*sides).b.velocity - (*sides).a.velocity)
+        + dot((*t).lever_b[k], (*sides).b.angular_velocity)
+        - dot((*t).lever_a[k], (*sides).a.angular_velocity);
 }
 
 // The same before the kick.
-fn parting_before(
-    t: ptr<function, Touching>,
-    k: u32,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-) -> f32 {
-    return dot((*t).normal, (*b).before.velocity - (*a).before.velocity)
-        + dot((*t).lever_b[k], (*b).before.angular_velocity)
-        - dot((*t).lever_a[k], (*a).before.angular_velocity);
+fn parting_before(t: ptr<function, Touching>, k: u32, sides: ptr<function, Sides>) -> f32 {
+    return dot((*t).normal, (*sides).b.before.velocity - (*sides).a.before.velocity)
+        + dot((*t).lever_b[k], (*sides).b.before.angular_velocity)
+        - dot((*t).lever_a[k], (*sides).a.before.angular_velocity);
 }
 
 // Velocity of b away from a where both arms end, m/s.
-fn sliding_at(arm_a: vec3f, arm_b: vec3f, a: ptr<function, Side>, b: ptr<function, Side>) -> vec3f {
-    return (*b).velocity + cross((*b).angular_velocity, arm_b)
-        - (*a).velocity - cross((*a).angular_velocity, arm_a);
+fn sliding_at(arm_a: vec3f, arm_b: vec3f, sides: ptr<function, Sides>) -> vec3f {
+    return (*sides).b.velocity + cross((*sides).b.angular_velocity, arm_b)
+        - (*sides).a.velocity - cross((*sides).a.angular_velocity, arm_a);
 }
 
 // ANCHOR: passes
 // Whether two round bodies that come nearer pass each other within `h` seconds: the nearest that their core
 // points come is farther than both radii.
-fn passes(
-    m: ptr<function, Manifold>,
-    t: ptr<function, Touching>,
-    k: u32,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-    h: f32,
-) -> bool {
-    if (*m).turns != ROUND || (*t).distance[k] <= 0.0 {
+fn passes(t: ptr<function, Touching>, k: u32, sides: ptr<function, Sides>, h: f32) -> bool {
+    let reach = (*t).reach;
+    if reach < 0.0 || (*t).distance[k] <= 0.0 {
         return false;
     }
-    let reach = (*m).round_a + (*m).round_b;
     let apart = ((*t).distance[k] + reach) * (*t).normal;
     let arm = (*t).arm_a[k];
-    let moves = h * sliding_at(arm, arm - (*t).apart, a, b);
+    let moves = h * sliding_at(arm, arm - (*t).apart, sides);
     let part = clamp(-dot(apart, moves) / max(dot(moves, moves), SMALL), 0.0, 1.0);
     let nearest = apart + part * moves;
     return dot(nearest, nearest) > reach * reach;
@@ -150,36 +145,22 @@ fn passes(
 // ANCHOR_END: passes
 
 // Whether the bodies come so near within `h` seconds that they touch at point k.
-fn comes(
-    m: ptr<function, Manifold>,
-    t: ptr<function, Touching>,
-    k: u32,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-    h: f32,
-) -> bool {
-    return (*t).distance[k] + h * parting(t, k, a, b) <= 0.0 && !passes(m, t, k, a, b, h);
+fn comes(t: ptr<function, Touching>, k: u32, sides: ptr<function, Sides>, h: f32) -> bool {
+    return (*t).distance[k] + h * parting(t, k, sides) <= 0.0 && !passes(t, k, sides, h);
 }
 
 // Whether they touch at point k, or come to within `h` seconds.
-fn meets(
-    m: ptr<function, Manifold>,
-    t: ptr<function, Touching>,
-    k: u32,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-    h: f32,
-) -> bool {
-    return (*t).distance[k] <= 0.0 || comes(m, t, k, a, b, h);
+fn meets(t: ptr<function, Touching>, k: u32, sides: ptr<function, Sides>, h: f32) -> bool {
+    return (*t).distance[k] <= 0.0 || comes(t, k, sides, h);
 }
 
 // ANCHOR: press
 // The impulses of a pair as its bodies receive them.
-fn press(t: ptr<function, Touching>, points: u32, impulse: Impulse) -> Press {
+fn press(t: ptr<function, Touching>, impulse: Impulse) -> Press {
     var pressed: Press;
     pressed.stays = 1.0;
     for (var k = 0u; k < POINTS; k++) {
-        if k < points {
+        if k < (*t).points {
             pressed.linear += impulse.normal[k] * (*t).normal;
             pressed.angular_a -= impulse.normal[k] * (*t).lever_a[k];
             pressed.angular_b += impulse.normal[k] * (*t).lever_b[k];
@@ -212,18 +193,12 @@ fn pressed_of(pressed: Press, bounces: f32) -> Pressed {
 // ANCHOR: press_again
 // What a pair starts a step with: the impulses that it ended the last one with, where its points are
 // now; and whether it counts.
-fn press_again(
-    m: ptr<function, Manifold>,
-    impulse: Impulse,
-    a: ptr<function, Side>,
-    b: ptr<function, Side>,
-    h: f32,
-) -> Press {
-    var t = touching(m, a, b);
-    var pressed = press(&t, (*m).points, impulse);
+fn press_again(m: ptr<function, Manifold>, impulse: Impulse, sides: ptr<function, Sides>, h: f32) -> Press {
+    var t = touching(m, sides);
+    var pressed = press(&t, impulse);
     for (var k = 0u; k < POINTS; k++) {
-        if k < (*m).points {
-            if impulse.normal[k] > 0.0 || meets(m, &t, k, a, b, h) {
+        if k < t.points {
+            if impulse.normal[k] > 0.0 || meets(&t, k, sides, h) {
                 pressed.counts = 1.0;
             }
         }
