@@ -2,29 +2,17 @@
 // place of what it started with, moves, and takes up what pulls and holds it for the next substep. Bodies
 // that hang on each other do so tree by tree, and between gathering and moving mend their joints.
 // Needs common/index, common/trigonometry, common/rotation, common/rotation_vector,
-// common/free_rotation, rows, common/pairing, common/body, common/symmetric, common/articulated,
+// common/free_rotation, rows, common/pairing, common/body, common/moving, common/symmetric, common/articulated,
 // common/link, common/fold, common/tree.
 
-@group(0) @binding(0) var<uniform> grid: GridOf;
-@group(0) @binding(1) var<uniform> step: Step;
-@group(0) @binding(2) var<uniform> mouse: Mouse;
-@group(0) @binding(3) var<storage, read_write> rigids: array<Rigid>;
-@group(0) @binding(4) var<storage, read_write> holdings: array<Holding>;
-@group(0) @binding(5) var<storage, read> incidents: array<u32>;
-@group(0) @binding(6) var<storage, read> presses: array<Pressed>;
-@group(0) @binding(7) var<storage, read> status: array<u32>;
-@group(0) @binding(8) var<storage, read> totals: array<Total>;
-@group(0) @binding(9) var<storage, read> pivots: array<Pivot>;
-@group(0) @binding(10) var<storage, read_write> befores: array<Before>;
-@group(0) @binding(11) var<storage, read_write> nodes: array<Node>;
-@group(0) @binding(12) var<storage, read_write> joined: array<Held>;
-@group(0) @binding(13) var<storage, read> turned: array<Turned>;
+@group(0) @binding(9) var<storage, read> incidents: array<u32>;
+@group(0) @binding(10) var<storage, read> status: array<u32>;
+@group(0) @binding(11) var<storage, read> pivots: array<Pivot>;
+@group(0) @binding(12) var<storage, read_write> nodes: array<Node>;
+@group(0) @binding(13) var<storage, read_write> joined: array<Held>;
 
-// The plan: whether any pair bounces, there are joints, any large body moves, any body hangs on a fixed
-// point, whether what pulls is summed in a pass of its own, and whether it is the last substep.
-override BOUNCES: bool = true;
-override JOINTS: bool = true;
-override MOVING_LARGE: bool = true;
+// The plan: whether any body hangs on a fixed point, whether what pulls is summed in a pass of its own, and
+// whether it is the last substep.
 override PIVOTS: bool = true;
 override PULLS: bool = false;
 override LAST: bool = false;
@@ -32,10 +20,7 @@ override LAST: bool = false;
 // ANCHOR: gather
 // Sums what its pairs did to a body, in the order of their IDs. `before` of its list are no pairs.
 fn gather(row: u32, large: u32, before: u32) -> Total {
-    var sum: Total;
-    if MOVING_LARGE && large != NONE {
-        sum = totals[large];
-    }
+    var sum = sum_before(large);
     let count = incidents[row];
     // Two are asked for at once: what waits for memory waits once for both.
     for (var k = before + 1u; k <= count; k += 2u) {
@@ -51,30 +36,10 @@ fn gather(row: u32, large: u32, before: u32) -> Total {
     return sum;
 }
 
-// What a row did to the body on one side.
-fn given_by(row: u32, side: u32) -> Given {
-    return Given(
-        vec4f(presses[row].linear, presses[row].counts),
-        vec4f(presses[row].push, presses[row].bounces),
-        presses[row].turning[2u * side],
-        presses[row].turning[2u * side + 1u].xyz,
-        select(-1.0, 1.0, side == 1u),
-    );
-}
-
 // Adds what the limits and loops did that end at the body: they stand first in its list.
 fn gather_joints(sum: ptr<function, Total>, row: u32, ends: u32) {
     for (var k = 1u; k <= ends; k++) {
-        let entry = incidents[k * grid.capacity + row];
-        if (entry & OF_LIMIT) != 0u {
-            let sign = select(-1.0, 1.0, (entry & 1u) == 1u);
-            add_turned(sum, turned[(entry & ~OF_LIMIT) >> 1u], sign);
-        } else {
-            var given = given_by(entry >> 1u, entry & 1u);
-            given.linear.w = 1.0;
-            given.angular.w = 1.0;
-            add(sum, given);
-        }
+        add_joint(sum, incidents[k * grid.capacity + row]);
     }
 }
 // ANCHOR_END: gather
@@ -89,17 +54,9 @@ fn take_up(
     sum: Total,
 ) {
     (*rigid).shares = max(select(sum.counts, sum.bounces, LAST && BOUNCES), 1.0);
-    if LAST || PULLS {
-        return;
+    if !LAST && !PULLS {
+        kick_row(row, rigid, holding, of_tree, pull_of_mouse(row, *rigid));
     }
-    if BOUNCES {
-        befores[row] = Before((*rigid).velocity, 0.0, (*rigid).angular_velocity, 0.0);
-    }
-    var pull: Pull;
-    if mouse.body == row {
-        pull = drag(*rigid, mouse);
-    }
-    kick(rigid, holding, of_tree, pull, step);
 }
 // ANCHOR_END: take_up
 

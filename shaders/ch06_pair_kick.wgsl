@@ -1,22 +1,12 @@
 // The kick of a substep where what pulls a body depends on where others are: magnetic poles. So all have
 // moved before any takes up what pulls it.
 // Needs common/index, common/trigonometry, common/rotation, common/rotation_vector,
-// common/free_rotation, rows, common/pairing, common/body.
+// common/free_rotation, rows, common/pairing, common/body, common/moving.
 
-@group(0) @binding(0) var<uniform> grid: GridOf;
-@group(0) @binding(1) var<uniform> step: Step;
-@group(0) @binding(2) var<uniform> mouse: Mouse;
-@group(0) @binding(3) var<uniform> pairs_of: PairsOf;
-@group(0) @binding(4) var<storage, read> poles: array<Pole>;
-@group(0) @binding(5) var<storage, read_write> rigids: array<Rigid>;
-@group(0) @binding(6) var<storage, read_write> holdings: array<Holding>;
-@group(0) @binding(7) var<storage, read_write> befores: array<Before>;
-@group(0) @binding(8) var<storage, read> status: array<u32>;
-@group(0) @binding(9) var<storage, read> joined: array<Held>;
-
-// The plan: whether any pair bounces, and whether there are joints.
-override BOUNCES: bool = true;
-override JOINTS: bool = true;
+@group(0) @binding(9) var<uniform> pairs_of: PairsOf;
+@group(0) @binding(10) var<storage, read> poles: array<Pole>;
+@group(0) @binding(11) var<storage, read> status: array<u32>;
+@group(0) @binding(12) var<storage, read> joined: array<Held>;
 
 // ANCHOR: pole
 // The force, N, of one magnetic pole on another that is `between` away, m: s₁ s₂/(d² + ε²).
@@ -55,6 +45,22 @@ fn feel(own: u32, rigid: Rigid) -> Pull {
 }
 // ANCHOR_END: feel
 
+// What its poles feel, and the mouse.
+fn pull_of(row: u32, rigid: Rigid) -> Pull {
+    var pull: Pull;
+    for (var own = 0u; own < pairs_of.poles; own++) {
+        if poles[own].body == row {
+            let felt = feel(own, rigid);
+            pull.acceleration += felt.acceleration;
+            pull.torque += felt.torque;
+        }
+    }
+    let dragged = pull_of_mouse(row, rigid);
+    pull.acceleration += dragged.acceleration;
+    pull.torque += dragged.torque;
+    return pull;
+}
+
 @compute @workgroup_size(WORKGROUP)
 fn pair_kick(@builtin(global_invocation_id) id: vec3u) {
     let row = row_index(id);
@@ -65,28 +71,13 @@ fn pair_kick(@builtin(global_invocation_id) id: vec3u) {
     if is_static(rigid) {
         return;
     }
-    var pull: Pull;
-    for (var own = 0u; own < pairs_of.poles; own++) {
-        if poles[own].body == row {
-            let felt = feel(own, rigid);
-            pull.acceleration += felt.acceleration;
-            pull.torque += felt.torque;
-        }
-    }
-    if mouse.body == row {
-        let dragged = drag(rigid, mouse);
-        pull.acceleration += dragged.acceleration;
-        pull.torque += dragged.torque;
-    }
-    if BOUNCES {
-        befores[row] = Before(rigid.velocity, 0.0, rigid.angular_velocity, 0.0);
-    }
+    let pull = pull_of(row, rigid);
     var holding = holdings[row];
     var of_tree: Held;
     if JOINTS && in_tree(rigid) {
         of_tree = joined[rigid.seat];
     }
-    kick(&rigid, &holding, of_tree, pull, step);
+    kick_row(row, &rigid, &holding, of_tree, pull);
     rigids[row].velocity = rigid.velocity;
     rigids[row].angular_velocity = rigid.angular_velocity;
     holdings[row].momentum = holding.momentum;
