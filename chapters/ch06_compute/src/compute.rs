@@ -1,13 +1,11 @@
 //! The own-row step on the GPU. All state stays there; numbers come down late, and only those that
 //! somebody asked for.
 
-mod ball_kernels;
 pub mod balls;
 mod device;
 mod driver;
 mod engine;
 pub mod error;
-mod explain;
 mod late;
 mod layers;
 pub mod pairs;

@@ -2,31 +2,26 @@
 //! contacts and writes only itself. A contact is solved twice, once from each end; in return a substep
 //! is one pass.
 
-use ch00_scenes::{Counters, Scene, State};
-use glam::{Quat, Vec4};
+mod columns;
+mod explain;
+mod kernels;
+mod sides;
+mod why_not;
 
-use super::ball_kernels::{BallKernels, Sizes};
-use super::explain;
-use super::scan::{blocks, scan_of};
+pub use kernels::BallKernels;
+
+use ch00_scenes::{Counters, Scene, State};
+use glam::Quat;
+
 use crate::bodies::Bodies;
-use crate::grid::{Grid, margin_of};
-use crate::rows::{Ball, Drawn, GridOf, Held, Mouse, Mover, Place, STATUS, Scan, Seen, Wall};
-use crate::rules::{MARGIN, Rules};
+use crate::rows::{Ball, GridOf, Mouse, Mover, Place, STATUS};
+use crate::rules::Rules;
 use crate::stream::{Columns, Gpu, Passes, StreamError, Timer};
+use columns::{allocate, grid_of, is_alike, moving, scan_in, walls_of};
+use kernels::Sizes;
 
 /// For how many neighbours a row has room at first.
 pub const ROOM: usize = 24;
-
-/// Edge of a cell, in radii of the widest ball: measured on an H200. Smaller cells hold fewer balls that are
-/// too far away, and are more.
-const EDGE: f32 = 2.2;
-
-/// Largest ratio of radii: a ball of three times the radius is touched by up to 57 small ones, and there must
-/// be as much room for every ball.
-const MOST_RATIO: f32 = 3.01;
-
-/// Most walls: every ball looks at each.
-pub const MOST_WALLS: usize = 64;
 
 /// Balls on the GPU.
 #[derive(Debug)]
@@ -57,32 +52,7 @@ impl Balls {
     /// Why this scene is not one of balls among walls; None if it is.
     #[must_use]
     pub fn why_not(scene: &Scene, bodies: &Bodies) -> Option<&'static str> {
-        let walls = (0..bodies.rows())
-            .filter(|&row| bodies.is_static(row))
-            .count();
-        let moving = |row: &usize| !bodies.is_static(*row);
-        let ball = |row: usize| bodies.solid[row].kind == 0;
-        let wall = |row: usize| bodies.solid[row].kind <= 1;
-        let reaches = || {
-            (0..bodies.rows())
-                .filter(moving)
-                .map(|row| bodies.place[row].reach)
-        };
-        if !scene.joints.is_empty() || !scene.forces.is_empty() {
-            return Some("it has joints or forces");
-        }
-        if !(0..bodies.rows()).filter(moving).all(ball) {
-            return Some("not all that moves is a ball");
-        }
-        if !(0..bodies.rows()).filter(|row| !moving(row)).all(wall) {
-            return Some("not all that stays is a ball or a box");
-        }
-        if walls > MOST_WALLS {
-            return Some("it has too many static bodies");
-        }
-        let narrowest = reaches().fold(f32::INFINITY, f32::min);
-        let has_large = reaches().any(|reach| reach > MOST_RATIO * narrowest);
-        has_large.then_some("one ball is much larger than another: too many can touch it")
+        why_not::why_not(scene, bodies)
     }
 
     /// Loads the balls and walls of a scene.
@@ -136,15 +106,8 @@ impl Balls {
 
     /// Writes the rows of all balls, in the order of the scene.
     fn upload(&mut self, bodies: &Bodies, moving: &[usize]) -> Result<(), StreamError> {
-        let places: Vec<Place> = moving.iter().map(|&row| bodies.place[row]).collect();
-        let attitudes: Vec<Quat> = moving.iter().map(|&row| bodies.attitude[row]).collect();
-        let movers: Vec<Mover> = moving.iter().map(|&row| mover_of(bodies, row)).collect();
-        let balls: Vec<Ball> = moving.iter().map(|&row| ball_of(bodies, row)).collect();
         let names = self.kernels.current();
-        self.columns.write(names.places, &places)?;
-        self.columns.write(names.movers, &movers)?;
-        self.columns.write(names.attitudes, &attitudes)?;
-        self.columns.write(names.balls, &balls)?;
+        columns::write(&mut self.columns, names, bodies, moving)?;
         if self.draws {
             self.write_drawn()?;
         }
@@ -295,7 +258,7 @@ impl Balls {
         self.columns.clear("neighbour_counts_b")
     }
 
-    /// Draws from now on: a row [`Drawn`] a body, in column `drawn`, and a row [`Seen`] in `seen`.
+    /// Draws from now on: a row [`Drawn`](crate::rows::Drawn) a body, in column `drawn`, and a row [`Seen`](crate::rows::Seen) in `seen`.
     ///
     /// # Errors
     /// No memory for them.
@@ -306,14 +269,7 @@ impl Balls {
 
     /// Writes the rows for drawing as if all had stood still.
     fn write_drawn(&mut self) -> Result<(), StreamError> {
-        let drawn: Vec<Drawn> = (0..self.start.len())
-            .map(|i| drawn_at(&self.start, i))
-            .collect();
-        let seen: Vec<Seen> = (0..self.start.len())
-            .map(|i| seen_at(&self.start, i))
-            .collect();
-        self.columns.write("drawn", &drawn)?;
-        self.columns.write("seen", &seen)
+        columns::write_drawn(&mut self.columns, &self.start)
     }
 
     /// The mouse pulls at a ball from now on, or lets go.
@@ -410,151 +366,4 @@ impl Balls {
         let grid = &self.grid;
         ([grid.slots_x, grid.slots_y, grid.slots_z], grid.edge)
     }
-}
-
-/// The rows of the bodies that move.
-fn moving(bodies: &Bodies) -> Vec<usize> {
-    (0..bodies.rows())
-        .filter(|&row| !bodies.is_static(row))
-        .collect()
-}
-
-/// A body that stands still, as it is drawn.
-fn drawn_at(state: &State, body: usize) -> Drawn {
-    let (position, orientation) = (
-        state.position[body].as_vec3(),
-        state.orientation[body].as_quat(),
-    );
-    Drawn {
-        position,
-        orientation,
-        position_last: position,
-        orientation_last: orientation,
-        ..Drawn::default()
-    }
-}
-
-fn seen_at(state: &State, body: usize) -> Seen {
-    Seen {
-        velocity: state.linear_velocity[body].as_vec3(),
-        angular_velocity: state.angular_velocity[body].as_vec3(),
-        ..Seen::default()
-    }
-}
-
-/// The static bodies.
-fn walls_of(bodies: &Bodies) -> Vec<Wall> {
-    let rows = (0..bodies.rows()).filter(|&row| bodies.is_static(row));
-    rows.map(|row| Wall {
-        position: bodies.place[row].position,
-        kind: bodies.solid[row].kind,
-        attitude: bodies.attitude[row],
-        size: bodies.solid[row].size,
-        restitution: bodies.material[row].restitution,
-        friction: bodies.material[row].friction,
-        static_friction: bodies.material[row].static_friction,
-        id: row as u32,
-        spare: 0,
-    })
-    .collect()
-}
-
-fn mover_of(bodies: &Bodies, row: usize) -> Mover {
-    Mover {
-        velocity: bodies.motion[row].velocity,
-        shares: 1.0,
-        angular_velocity: bodies.spin[row].angular_velocity,
-        inverse_mass: bodies.spin[row].inverse_mass,
-    }
-}
-
-fn ball_of(bodies: &Bodies, row: usize) -> Ball {
-    Ball {
-        id: row as u32,
-        restitution: bodies.material[row].restitution,
-        friction: bodies.material[row].friction,
-        static_friction: bodies.material[row].static_friction,
-    }
-}
-
-/// Whether the surfaces of all bodies that move are alike.
-fn is_alike(bodies: &Bodies) -> bool {
-    let mut moving = (0..bodies.rows()).filter(|&row| !bodies.is_static(row));
-    let first = moving.next().map(|row| bodies.material[row]);
-    moving.all(|row| Some(bodies.material[row]) == first)
-}
-
-/// The grid of a scene's balls.
-fn grid_of(bodies: &Bodies, moving: &[usize], walls: usize) -> GridOf {
-    let places: Vec<Place> = moving.iter().map(|&row| bodies.place[row]).collect();
-    let widest = places.iter().map(|place| place.reach).fold(0.0, f32::max);
-    let grid = Grid::with_edge(EDGE * widest.max(f32::MIN_POSITIVE), &places);
-    let [slots_x, slots_y, slots_z] = grid.slots;
-    GridOf {
-        edge: grid.edge,
-        slots_x,
-        slots_y,
-        slots_z,
-        rows: moving.len() as u32,
-        capacity: moving.len().max(1) as u32,
-        room: ROOM as u32,
-        walls: walls as u32,
-        starts: grid.count() as u32 + 2,
-        margin: MARGIN,
-        most_margin: margin_of(widest),
-        widest,
-        ..GridOf::default()
-    }
-}
-
-/// The scan of a grid: it writes no starts in a step after one that had no room.
-fn scan_in(grid: &GridOf) -> Scan {
-    Scan {
-        room: grid.room,
-        ..scan_of(grid.starts as usize)
-    }
-}
-
-/// Makes all columns.
-fn allocate(
-    columns: &mut Columns,
-    grid: &GridOf,
-    walls: &[Wall],
-    bodies: usize,
-) -> Result<(), StreamError> {
-    let (rows, starts) = (grid.capacity as usize, grid.starts as usize);
-    for side in ["a", "b"] {
-        columns.add::<Place>(&format!("places_{side}"), rows)?;
-        columns.add::<Mover>(&format!("movers_{side}"), rows)?;
-        columns.add::<Quat>(&format!("attitudes_{side}"), rows)?;
-        columns.add::<Ball>(&format!("balls_{side}"), rows)?;
-        columns.add::<Held>(&format!("helds_{side}"), rows)?;
-        columns.add::<u32>(&format!("neighbour_counts_{side}"), rows)?;
-        columns.add::<u32>(&format!("neighbours_{side}"), rows * grid.room as usize)?;
-        columns.add::<Vec4>(&format!("impulses_{side}"), rows * grid.room as usize)?;
-        for name in ["places", "movers", "attitudes", "balls"] {
-            columns.set_rows(&format!("{name}_{side}"), grid.rows as usize)?;
-        }
-    }
-    columns.add::<f32>("approaches", rows * grid.room as usize)?;
-    for name in ["slots", "order", "old_rows"] {
-        columns.add::<u32>(name, rows)?;
-    }
-    for name in ["counts", "starts"] {
-        columns.add::<u32>(name, starts)?;
-    }
-    columns.add::<u32>("blocks", blocks(starts))?;
-    columns.add::<u32>("fastest", 2)?;
-    columns.add::<u32>("status", STATUS.len())?;
-    let mut status = [0; STATUS.len()];
-    status[2] = u32::MAX;
-    columns.write("status", &status)?;
-    columns.add::<Wall>("walls", walls.len().max(1))?;
-    columns.write("walls", walls)?;
-    columns.add::<Drawn>("drawn", bodies)?;
-    columns.add::<Seen>("seen", bodies)?;
-    columns.add_uniform("mouse", &Mouse::default())?;
-    columns.add_uniform("grid", grid)?;
-    columns.add_uniform("scan", &scan_in(grid))?;
-    columns.add_uniform("step", &crate::rows::Step::default())
 }

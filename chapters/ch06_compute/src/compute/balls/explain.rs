@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::balls::Balls;
+use super::Balls;
 
 /// Passes, columns, and bytes a body.
 #[must_use]

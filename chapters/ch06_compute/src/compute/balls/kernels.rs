@@ -3,44 +3,14 @@
 
 use std::collections::VecDeque;
 
-use super::scan::Scanning;
+use super::super::scan::Scanning;
+use super::sides::{
+    Names, Naming, Sides, name_bounce, name_cells, name_meet, name_solve, name_sort, name_state,
+};
 use crate::stream::{Gpu, Kernel, Passes, StreamError, source};
 
 /// Invocations of a workgroup of the kernels that have teams. On an H200 128 and 256 are no faster.
 const GROUP: f64 = 64.0;
-
-/// Which of two columns holds what is true now.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Sides {
-    places: usize,
-    movers: usize,
-    /// What holds balls.
-    helds: usize,
-    /// Attitudes, what stays with a ball, and the lists of neighbours: they change once a step.
-    step: usize,
-}
-
-/// The names of the columns that hold the state now.
-#[derive(Clone, Copy, Debug)]
-pub struct Names {
-    /// Where balls are.
-    pub places: &'static str,
-    /// How they move.
-    pub movers: &'static str,
-    /// How they are turned.
-    pub attitudes: &'static str,
-    /// What stays with them.
-    pub balls: &'static str,
-}
-
-const PLACES: [&str; 2] = ["places_a", "places_b"];
-const MOVERS: [&str; 2] = ["movers_a", "movers_b"];
-const ATTITUDES: [&str; 2] = ["attitudes_a", "attitudes_b"];
-const BALLS: [&str; 2] = ["balls_a", "balls_b"];
-const HELDS: [&str; 2] = ["helds_a", "helds_b"];
-const COUNTS: [&str; 2] = ["neighbour_counts_a", "neighbour_counts_b"];
-const NEIGHBOURS: [&str; 2] = ["neighbours_a", "neighbours_b"];
-const IMPULSES: [&str; 2] = ["impulses_a", "impulses_b"];
 
 /// A kernel bound in all ways in which sides can stand.
 #[derive(Debug)]
@@ -48,7 +18,7 @@ struct Bound(Vec<Kernel>);
 
 impl Bound {
     fn at(&self, sides: Sides) -> &Kernel {
-        &self.0[8 * sides.helds + 4 * sides.places + 2 * sides.movers + sides.step]
+        &self.0[sides.number()]
     }
 }
 
@@ -89,9 +59,6 @@ pub struct Sizes {
     /// Whether the mouse pulls.
     pub pulls: bool,
 }
-
-/// The columns that a kernel binds, given how the sides stand.
-type Naming = fn(Sides) -> Vec<(&'static str, &'static str)>;
 
 impl BallKernels {
     /// Compiles them for a plan: whether all surfaces are alike, and whether any bounces.
@@ -156,18 +123,7 @@ impl BallKernels {
     /// The columns that hold the state now.
     #[must_use]
     pub fn current(&self) -> Names {
-        let Sides {
-            places,
-            movers,
-            step,
-            ..
-        } = self.sides;
-        Names {
-            places: PLACES[places],
-            movers: MOVERS[movers],
-            attitudes: ATTITUDES[step],
-            balls: BALLS[step],
-        }
+        self.sides.names()
     }
 
     // ANCHOR: step
@@ -191,7 +147,7 @@ impl BallKernels {
         passes.section("sort");
         passes.run(self.sort.at(self.sides), rows)?;
         self.sides.step ^= 1;
-        self.flip();
+        self.sides.flip();
         Ok(())
     }
 
@@ -203,13 +159,13 @@ impl BallKernels {
             passes.run(self.pull.at(self.sides), rows)?;
         }
         passes.run(self.meet.at(self.sides), rows * self.team)?;
-        self.flip();
+        self.sides.flip();
         passes.section("substeps");
         for substep in 1..=sizes.substeps {
             let last = substep == sizes.substeps;
             let solve = if last { &self.solve_last } else { &self.solve };
             passes.run(solve.at(self.sides), rows * self.team)?;
-            self.flip();
+            self.sides.flip();
         }
         passes.section("restitution");
         if let Some(bounce) = &self.bounce {
@@ -287,13 +243,6 @@ impl BallKernels {
     pub fn draw(&self, passes: &mut Passes<'_>, rows: usize) -> Result<(), StreamError> {
         passes.run(self.state.at(self.sides), rows)
     }
-
-    /// What was next is now.
-    fn flip(&mut self) {
-        self.sides.places ^= 1;
-        self.sides.movers ^= 1;
-        self.sides.helds ^= 1;
-    }
 }
 
 /// How many invocations solve a ball together. Where there are few balls most of a device has nothing to do,
@@ -317,91 +266,9 @@ fn bound(
     file: &str,
     entry: &str,
     plan: &[(&str, f64)],
-    naming: Naming,
+    naming: impl Fn(Sides) -> Naming,
 ) -> Result<Bound, StreamError> {
     let kernel = Kernel::new(gpu, name, &source(file)?, entry, plan)?;
-    let all = (0..16).map(|way| {
-        let sides = Sides {
-            helds: way >> 3 & 1,
-            places: way >> 2 & 1,
-            movers: way >> 1 & 1,
-            step: way & 1,
-        };
-        kernel.renamed(&naming(sides))
-    });
+    let all = Sides::all().map(|sides| kernel.renamed(&naming(sides)));
     Ok(Bound(all.collect::<Result<_, _>>()?))
-}
-
-fn name_cells(s: Sides) -> Vec<(&'static str, &'static str)> {
-    vec![
-        ("places", PLACES[s.places]),
-        ("movers", MOVERS[s.movers]),
-        ("balls", BALLS[s.step]),
-    ]
-}
-
-fn name_sort(s: Sides) -> Vec<(&'static str, &'static str)> {
-    vec![
-        ("places", PLACES[s.places]),
-        ("movers", MOVERS[s.movers]),
-        ("attitudes", ATTITUDES[s.step]),
-        ("balls", BALLS[s.step]),
-        ("places_next", PLACES[s.places ^ 1]),
-        ("movers_next", MOVERS[s.movers ^ 1]),
-        ("attitudes_next", ATTITUDES[s.step ^ 1]),
-        ("balls_next", BALLS[s.step ^ 1]),
-    ]
-}
-
-fn name_meet(s: Sides) -> Vec<(&'static str, &'static str)> {
-    vec![
-        ("places", PLACES[s.places]),
-        ("movers", MOVERS[s.movers]),
-        ("balls", BALLS[s.step]),
-        ("last_counts", COUNTS[s.step ^ 1]),
-        ("last_neighbours", NEIGHBOURS[s.step ^ 1]),
-        ("last_impulses", IMPULSES[s.step ^ 1]),
-        ("neighbour_counts", COUNTS[s.step]),
-        ("neighbours", NEIGHBOURS[s.step]),
-        ("impulses", IMPULSES[s.step]),
-        ("places_next", PLACES[s.places ^ 1]),
-        ("movers_next", MOVERS[s.movers ^ 1]),
-        ("helds_next", HELDS[s.helds ^ 1]),
-    ]
-}
-
-fn name_solve(s: Sides) -> Vec<(&'static str, &'static str)> {
-    vec![
-        ("places", PLACES[s.places]),
-        ("movers", MOVERS[s.movers]),
-        ("balls", BALLS[s.step]),
-        ("neighbour_counts", COUNTS[s.step]),
-        ("neighbours", NEIGHBOURS[s.step]),
-        ("impulses", IMPULSES[s.step]),
-        ("places_next", PLACES[s.places ^ 1]),
-        ("movers_next", MOVERS[s.movers ^ 1]),
-        ("attitudes", ATTITUDES[s.step]),
-        ("helds", HELDS[s.helds]),
-        ("helds_next", HELDS[s.helds ^ 1]),
-    ]
-}
-
-fn name_bounce(s: Sides) -> Vec<(&'static str, &'static str)> {
-    vec![
-        ("places", PLACES[s.places]),
-        ("movers", MOVERS[s.movers]),
-        ("balls", BALLS[s.step]),
-        ("neighbour_counts", COUNTS[s.step]),
-        ("neighbours", NEIGHBOURS[s.step]),
-        ("movers_next", MOVERS[s.movers ^ 1]),
-    ]
-}
-
-fn name_state(s: Sides) -> Vec<(&'static str, &'static str)> {
-    vec![
-        ("places", PLACES[s.places]),
-        ("movers", MOVERS[s.movers]),
-        ("attitudes", ATTITUDES[s.step]),
-        ("balls", BALLS[s.step]),
-    ]
 }
