@@ -150,27 +150,26 @@ impl<R: Real> Lanes<R> {
         }
         done("substeps");
         self.bounce(&step);
-        self.pairs
-            .write_back(self.threads.least(self.bodies.rows()));
+        self.pairs.write_back(self.least());
         done("restitution");
     }
     // ANCHOR_END: step
 
-    /// The fewest blocks of bodies that go together in a pass.
-    fn least_blocks(&self) -> usize {
-        self.threads.least(self.bodies.rows()) / R::LANES
+    /// The fewest rows that go together in a pass.
+    fn least(&self) -> usize {
+        self.threads.least(self.bodies.rows())
     }
 
-    /// The fewest batches of pairs that do.
-    fn least_batches(&self) -> usize {
-        self.threads.least(self.bodies.rows()) / R::LANES
+    /// The fewest blocks of bodies that do, and batches of pairs.
+    fn least_in_lanes(&self) -> usize {
+        self.least() / R::LANES
     }
 
     /// Narrow phase over what the broad phase found.
     fn meet(&mut self, dt: f32) {
         std::mem::swap(&mut self.pairs, &mut self.last_pairs);
         let (found, last) = (&self.broad.pairs, &self.last_pairs);
-        let least = self.threads.least(self.bodies.rows());
+        let least = self.least();
         let method = self.rules.method;
         pairs::meet(
             found,
@@ -187,17 +186,17 @@ impl<R: Real> Lanes<R> {
     /// What held the bodies in the last step, where their points are now; then the first kick.
     fn start(&mut self, step: &Step) {
         let bodies = &self.bodies;
-        let least = self.least_batches();
+        let least = self.least_in_lanes();
         let work = PressAgain { bodies, h: step.h };
         self.pairs.batches.each(least, &work);
         self.gather();
         if self.rules.method == Method::Coloured {
             self.share_among_limits();
         }
-        for (row, sum) in self.gathered.iter().enumerate() {
-            self.bodies.held[row] = sum.stays;
-            self.bodies.motion[row].shares = sum.counts.max(1.0);
+        for (held, sum) in self.bodies.held.iter_mut().zip(&self.gathered) {
+            *held = sum.stays;
         }
+        movers::share(&mut self.bodies.motion, &self.gathered);
         self.kick(step);
     }
     // ANCHOR_END: start
@@ -205,36 +204,29 @@ impl<R: Real> Lanes<R> {
     /// Every pair, limit and loop writes its own impulses, all from the same velocities.
     fn solve_own_rows(&mut self, step: &Step) {
         let bodies = &self.bodies;
-        let least = self.least_batches();
+        let least = self.least_in_lanes();
         self.pairs.batches.each(least, &Solve { bodies, step });
         self.joints.solve_rows(&self.bodies, step.h);
         self.gather();
     }
 
-    // ANCHOR: gather
     /// Every body sums what its pairs did to it, in the order of their IDs; then its limits and loops.
     fn gather(&mut self) {
-        let (pairs, joints) = (&self.pairs, &self.joints);
-        let least = self.threads.least(self.bodies.rows());
-        threads::each(&mut self.gathered, least, |row, sum| {
-            *sum = gathered(pairs, row);
+        let (least, joints) = (self.least(), &self.joints);
+        gather(&self.pairs, &mut self.gathered, least, |row, sum| {
             joints.gather(row, sum);
         });
     }
 
     /// What its pairs did to each body.
     fn gather_pairs(&mut self) {
-        let pairs = &self.pairs;
-        let least = self.threads.least(self.bodies.rows());
-        threads::each(&mut self.gathered, least, |row, sum| {
-            *sum = gathered(pairs, row);
-        });
+        let least = self.least();
+        gather(&self.pairs, &mut self.gathered, least, |_, _| {});
     }
-    // ANCHOR_END: gather
 
     /// Every body takes up what pulls and holds it.
     fn kick(&mut self, step: &Step) {
-        let least = self.least_blocks();
+        let least = self.least_in_lanes();
         self.forces.gather(&self.bodies);
         let (pulls, joints) = (&self.forces.pulls, &self.joints);
         let mut movers = Movers::of(&mut self.bodies, least);
@@ -243,7 +235,7 @@ impl<R: Real> Lanes<R> {
 
     /// Every body puts what holds it now in the place of what it started the substep with.
     fn exchange(&mut self) {
-        let least = self.least_blocks();
+        let least = self.least_in_lanes();
         let gathered = &self.gathered;
         let mut movers = Movers::of(&mut self.bodies, least);
         movers.each::<R>(|block| block.exchange::<R>(gathered));
@@ -256,7 +248,7 @@ impl<R: Real> Lanes<R> {
 
     /// What bodies do in a substep, in one pass.
     fn move_at_once(&mut self, kicks: bool, step: &Step) {
-        let least = self.least_blocks();
+        let least = self.least_in_lanes();
         let gathered = &self.gathered;
         let mut movers = Movers::of(&mut self.bodies, least);
         movers.each::<R>(|block| block.substep::<R>(gathered, kicks, step));
@@ -266,7 +258,7 @@ impl<R: Real> Lanes<R> {
     /// Every body moves.
     fn advance(&mut self, step: &Step) {
         self.joints.note_floating(&self.gathered);
-        let least = self.least_blocks();
+        let least = self.least_in_lanes();
         let (gathered, joints) = (&self.gathered, &self.joints);
         let mut movers = Movers::of(&mut self.bodies, least);
         movers.each::<R>(|block| block.advance::<R>(gathered, joints, step));
@@ -277,7 +269,7 @@ impl<R: Real> Lanes<R> {
     // ANCHOR: bounce
     /// Restitution, once at the end of a step: a body's mass is now shared among the pairs that bounce.
     fn bounce(&mut self, step: &Step) {
-        let least = self.least_batches();
+        let least = self.least_in_lanes();
         let bounces = Bounces::of(step);
         self.pairs.batches.each(least, &bounces);
         if !bounces.any() {
@@ -288,13 +280,11 @@ impl<R: Real> Lanes<R> {
             return;
         }
         self.gather_pairs();
-        for (row, sum) in self.gathered.iter().enumerate() {
-            self.bodies.motion[row].shares = sum.counts.max(1.0);
-        }
+        movers::share(&mut self.bodies.motion, &self.gathered);
         let bodies = &self.bodies;
         self.pairs.batches.each(least, &Restore { bodies, step });
         self.gather_pairs();
-        let least = self.least_blocks();
+        let least = self.least_in_lanes();
         let gathered = &self.gathered;
         let mut movers = Movers::of(&mut self.bodies, least);
         movers.each::<R>(|block| block.take_up::<R>(gathered));
@@ -302,14 +292,23 @@ impl<R: Real> Lanes<R> {
     // ANCHOR_END: bounce
 }
 
-/// The sum of what its pairs did to a body.
-fn gathered<R: Real>(pairs: &Pairs<R>, row: usize) -> Gathered {
-    let mut sum = Gathered::default();
-    for &entry in pairs.of(row) {
-        sum.add(&pairs.batches.press[(entry >> 1) as usize], entry & 1 == 1);
-    }
-    sum
+// ANCHOR: gather
+/// Every body sums what its pairs did to it, in the order of their IDs; then what `more` adds.
+fn gather<R: Real>(
+    pairs: &Pairs<R>,
+    sums: &mut [Gathered],
+    least: usize,
+    more: impl Fn(usize, &mut Gathered) + Sync,
+) {
+    threads::each(sums, least, |row, sum| {
+        *sum = Gathered::default();
+        for &entry in pairs.of(row) {
+            sum.add(&pairs.batches.press[(entry >> 1) as usize], entry & 1 == 1);
+        }
+        more(row, sum);
+    });
 }
+// ANCHOR_END: gather
 
 /// The pairs of bodies that joints connect, the smaller row first, in order.
 fn ignored(scene: &Scene) -> Vec<(usize, usize)> {

@@ -1,14 +1,20 @@
 //! Pairs in batches: as many as a number has lanes, all with equally many points and normals that turn in
 //! the same way, so that no lane waits for another; and, where pairs have colours, all of one colour.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a formula that isn't expanded in place passes its lanes through memory"
+)]
+
 use std::ops::Range;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
-use crate::own_row::contact::{Contact, Impulses, Surface};
+use crate::own_row::contact::{Contact, Impulses, Surface, Touching, touching, touching_balls};
+use crate::own_row::side::{Side, Turns};
 use crate::rows::{Impulse, Manifold, Material, Press};
-use crate::simd::{MOST_LANES, Real, array_of};
+use crate::simd::{MOST_LANES, Real, Round, Symmetric, array_of};
 
 /// How many ways a normal turns.
 const TURNS: usize = 4;
@@ -44,13 +50,34 @@ pub struct Batch<R: Real, const P: usize> {
 }
 // ANCHOR_END: batch
 
-/// What is done with a batch, whatever its number of points. `rows` is what its bodies gather, a row a lane.
-pub trait Work<R: Real>: Sync {
-    /// Does it.
-    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]);
+// ANCHOR: kind
+/// What a pair needs to know of its bodies depends on its kind; it is told by how they turn.
+pub trait Kind<R: Real, const P: usize>: Turns<R> {
+    /// Where the points are now.
+    fn touching(contact: &Contact<R, P>, a: &Side<R, Self>, b: &Side<R, Self>) -> Touching<R, P>;
+}
 
-    /// The same for pairs of balls.
-    fn run_balls(&self, batch: &mut Batch<R, 1>, rows: &mut [Press]);
+/// Bodies of any shape.
+impl<R: Real, const P: usize> Kind<R, P> for Symmetric<R> {
+    #[inline(always)]
+    fn touching(contact: &Contact<R, P>, a: &Side<R>, b: &Side<R>) -> Touching<R, P> {
+        touching(contact, a, b)
+    }
+}
+
+/// Two balls.
+impl<R: Real> Kind<R, 1> for Round<R> {
+    #[inline(always)]
+    fn touching(contact: &Contact<R, 1>, a: &Side<R, Self>, b: &Side<R, Self>) -> Touching<R, 1> {
+        touching_balls(contact, a, b)
+    }
+}
+// ANCHOR_END: kind
+
+/// What is done with a batch of any kind, whatever its number of points.
+pub trait Work<R: Real>: Sync {
+    /// Does it. `rows` is what the bodies gather, a row a lane.
+    fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]);
 }
 
 /// All batches of a step.
@@ -212,53 +239,34 @@ impl<R: Real> Batches<R> {
     /// Does something with every batch, on as many threads as there are. At least `least` batches go
     /// together: fewer aren't worth another thread.
     pub fn each(&mut self, least: usize, work: &impl Work<R>) {
-        let (balls, rest) = self.press.split_at_mut(self.balls.len() * R::LANES);
-        let (one, rest) = rest.split_at_mut(self.one.len() * R::LANES);
-        let (two, rest) = rest.split_at_mut(self.two.len() * R::LANES);
-        let (three, four) = rest.split_at_mut(self.three.len() * R::LANES);
-        each(&mut self.balls, balls, least, |batch, rows| {
-            work.run_balls(batch, rows);
-        });
-        each(&mut self.one, one, least, |batch, rows| {
-            work.run(batch, rows);
-        });
-        each(&mut self.two, two, least, |batch, rows| {
-            work.run(batch, rows);
-        });
-        each(&mut self.three, three, least, |batch, rows| {
-            work.run(batch, rows);
-        });
-        each(&mut self.four, four, least, |batch, rows| {
-            work.run(batch, rows);
-        });
+        let all = [
+            0..self.balls.len(),
+            0..self.one.len(),
+            0..self.two.len(),
+            0..self.three.len(),
+            0..self.four.len(),
+        ];
+        self.each_in(all, least, work);
     }
-    // ANCHOR_END: each
 
-    // ANCHOR: each_of
     /// The same with the batches of one colour.
     pub fn each_of(&mut self, colour: usize, least: usize, work: &impl Work<R>) {
-        let [in_balls, in_one, in_two, in_three, in_four] = self.parts[colour].clone();
+        self.each_in(self.parts[colour].clone(), least, work);
+    }
+
+    fn each_in(&mut self, parts: Parts, least: usize, work: &impl Work<R>) {
+        let [in_balls, in_one, in_two, in_three, in_four] = parts;
         let (balls, rest) = self.press.split_at_mut(self.balls.len() * R::LANES);
         let (one, rest) = rest.split_at_mut(self.one.len() * R::LANES);
         let (two, rest) = rest.split_at_mut(self.two.len() * R::LANES);
         let (three, four) = rest.split_at_mut(self.three.len() * R::LANES);
-        each_in(&mut self.balls, balls, in_balls, least, |batch, rows| {
-            work.run_balls(batch, rows);
-        });
-        each_in(&mut self.one, one, in_one, least, |batch, rows| {
-            work.run(batch, rows);
-        });
-        each_in(&mut self.two, two, in_two, least, |batch, rows| {
-            work.run(batch, rows);
-        });
-        each_in(&mut self.three, three, in_three, least, |batch, rows| {
-            work.run(batch, rows);
-        });
-        each_in(&mut self.four, four, in_four, least, |batch, rows| {
-            work.run(batch, rows);
-        });
+        each_in::<R, Round<R>, 1>(&mut self.balls, balls, in_balls, least, work);
+        each_in::<R, Symmetric<R>, 1>(&mut self.one, one, in_one, least, work);
+        each_in::<R, Symmetric<R>, 2>(&mut self.two, two, in_two, least, work);
+        each_in::<R, Symmetric<R>, 3>(&mut self.three, three, in_three, least, work);
+        each_in::<R, Symmetric<R>, 4>(&mut self.four, four, in_four, least, work);
     }
-    // ANCHOR_END: each_of
+    // ANCHOR_END: each
 
     /// What a pair has pressed by now.
     #[must_use]
@@ -317,34 +325,23 @@ fn fill<'p, R: Real, const P: usize>(
     batch.collect_into_vec(batches);
 }
 
-fn each_in<R: Real, const P: usize>(
+fn each_in<R: Real, I: Kind<R, P>, const P: usize>(
     batches: &mut [Batch<R, P>],
     press: &mut [Press],
     part: Range<usize>,
     least: usize,
-    work: impl Fn(&mut Batch<R, P>, &mut [Press]) + Sync,
+    work: &impl Work<R>,
 ) {
     let press = &mut press[part.start * R::LANES..part.end * R::LANES];
     let batches = &mut batches[part];
     if batches.len() < least {
         let rows = press.chunks_mut(R::LANES);
         for (batch, rows) in batches.iter_mut().zip(rows) {
-            work(batch, rows);
+            work.run::<I, P>(batch, rows);
         }
-    } else {
-        each(batches, press, least, work);
+        return;
     }
-}
-
-fn each<R: Real, const P: usize>(
-    batches: &mut [Batch<R, P>],
-    press: &mut [Press],
-    least: usize,
-    work: impl Fn(&mut Batch<R, P>, &mut [Press]) + Sync,
-) {
-    batches
-        .par_iter_mut()
-        .zip(press.par_chunks_mut(R::LANES))
-        .with_min_len(least)
-        .for_each(|(batch, rows)| work(batch, rows));
+    let rows = press.par_chunks_mut(R::LANES);
+    let batches = batches.par_iter_mut().zip(rows).with_min_len(least);
+    batches.for_each(|(batch, rows)| work.run::<I, P>(batch, rows));
 }

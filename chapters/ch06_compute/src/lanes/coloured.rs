@@ -23,8 +23,8 @@ impl<R: Real> Lanes<R> {
     /// The pairs go through their colours, and where [`Rules::back`](crate::rules::Rules::back) says so back
     /// again; then limits and loops write their own impulses, from what that made of the bodies.
     pub(super) fn solve_colours(&mut self, step: &Step) {
-        self.live
-            .fill(&self.bodies, self.threads.least(self.bodies.rows()));
+        let least = self.least();
+        self.live.fill(&self.bodies, least);
         let colours = self.pairs.batches.colours();
         // Solved twice in a row, the last colour would find nothing to mend.
         let last = colours - 1;
@@ -66,7 +66,7 @@ impl<R: Real> Lanes<R> {
         if self.pairs.colours.alone() == Some(colour) {
             usize::MAX
         } else {
-            self.least_batches()
+            self.least_in_lanes()
         }
     }
 
@@ -80,8 +80,8 @@ impl<R: Real> Lanes<R> {
     // ANCHOR: restore_colours
     /// Restitution, once at the end of a step, a colour after another.
     pub(super) fn restore_colours(&mut self, step: &Step) {
-        self.live
-            .fill(&self.bodies, self.threads.least(self.bodies.rows()));
+        let least = self.least();
+        self.live.fill(&self.bodies, least);
         for colour in 0..self.pairs.batches.colours() {
             let least = self.least_of(colour);
             let restore = Restore {
@@ -92,7 +92,7 @@ impl<R: Real> Lanes<R> {
             self.pairs.batches.each_of(colour, least, &restore);
         }
         self.gather_pairs();
-        let least = self.least_blocks();
+        let least = self.least_in_lanes();
         let gathered = &self.gathered;
         let mut movers = Movers::of(&mut self.bodies, least);
         movers.each::<R>(|block| block.take_up::<R>(gathered));

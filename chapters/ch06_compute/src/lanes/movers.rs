@@ -73,6 +73,13 @@ impl<'b> Movers<'b> {
     }
 }
 
+/// Notes among how many pairs each body's mass is shared.
+pub fn share(motion: &mut [Motion], sums: &[Gathered]) {
+    for (motion, sum) in motion.iter_mut().zip(sums) {
+        motion.shares = sum.counts.max(1.0);
+    }
+}
+
 impl Block<'_> {
     /// Starts a substep: what pulls and holds each body.
     pub fn kick<R: Real>(&mut self, pulls: &[Pull], joints: &Joints<R>, step: &Step) {
@@ -110,7 +117,7 @@ impl Block<'_> {
         let push = self.exchange_with(&mut moving, sums);
         let alone = R::of(|lane| sums[lane.min(sums.len() - 1)].touches);
         moving.advance(push, alone.same(R::splat(0.0)), step);
-        self.share(sums);
+        share(self.motion, sums);
         if kicks {
             self.note_before(&moving);
             let held = holding(|lane| sums[lane.min(sums.len() - 1)].stays);
@@ -151,7 +158,7 @@ impl Block<'_> {
         let push = [Vec3::new(x, y, z), Vec3::new(i, j, k)];
         moving.advance(push, alone.gt(R::splat(0.5)), step);
         self.store(&moving);
-        self.share(&gathered[first..=first + last]);
+        share(self.motion, &gathered[first..=first + last]);
     }
 
     /// Exchanges what holds the bodies; gives the velocities of their pushes.
@@ -175,13 +182,6 @@ impl Block<'_> {
             self.held[lane] = sums[lane].stays;
         }
         [v, w]
-    }
-
-    /// Notes among how many pairs each body's mass is shared.
-    fn share(&mut self, sums: &[Gathered]) {
-        for (motion, sum) in self.motion.iter_mut().zip(sums) {
-            motion.shares = sum.counts.max(1.0);
-        }
     }
 
     /// Notes how bodies moved before a kick.

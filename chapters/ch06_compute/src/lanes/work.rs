@@ -7,14 +7,12 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::batches::{Batch, Work};
+use super::batches::{Batch, Kind, Work};
 use crate::bodies::Bodies;
-use crate::own_row::contact::{
-    Before, Touching, bounces, press_again, restore_pair, solve_pair, touching, touching_balls,
-};
-use crate::own_row::side::Side;
+use crate::own_row::contact::{Before, bounces, press_again, restore_pair, solve_pair};
+use crate::own_row::side::{Side, Turns};
 use crate::rows::{Press, Step};
-use crate::simd::{Inertia, Real, Round, Vec3};
+use crate::simd::{Real, Vec3};
 
 /// What held the bodies in the last step, where their points are now.
 pub struct PressAgain<'s> {
@@ -25,15 +23,9 @@ pub struct PressAgain<'s> {
 }
 
 impl<R: Real> Work<R> for PressAgain<'_> {
-    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
-        let sides = sides(self.bodies, batch);
-        let t = touching(&batch.contact, &sides[0], &sides[1]);
-        press_again(&t, &batch.impulse, sides, self.h).write(rows);
-    }
-
-    fn run_balls(&self, batch: &mut Batch<R, 1>, rows: &mut [Press]) {
-        let sides = balls(self.bodies, batch);
-        let t = touching_balls(&batch.contact, &sides[0], &sides[1]);
+    fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+        let sides = sides::<R, I, P>(self.bodies, batch);
+        let t = I::touching(&batch.contact, &sides[0], &sides[1]);
         press_again(&t, &batch.impulse, sides, self.h).write(rows);
     }
 }
@@ -47,31 +39,12 @@ pub struct Solve<'s> {
 }
 
 impl<R: Real> Work<R> for Solve<'_> {
-    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
-        let sides = sides(self.bodies, batch);
-        let t = touching(&batch.contact, &sides[0], &sides[1]);
-        self.solve(&t, sides, batch, rows);
-    }
-
-    fn run_balls(&self, batch: &mut Batch<R, 1>, rows: &mut [Press]) {
-        let sides = balls(self.bodies, batch);
-        let t = touching_balls(&batch.contact, &sides[0], &sides[1]);
-        self.solve(&t, sides, batch, rows);
-    }
-}
-
-impl Solve<'_> {
-    #[inline(always)]
-    fn solve<R: Real, I: Inertia<R>, const P: usize>(
-        &self,
-        t: &Touching<R, P>,
-        sides: [Side<R, I>; 2],
-        batch: &mut Batch<R, P>,
-        rows: &mut [Press],
-    ) {
+    fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+        let sides = sides::<R, I, P>(self.bodies, batch);
+        let t = I::touching(&batch.contact, &sides[0], &sides[1]);
         let [a, b] = batch.rows;
         let given = solve_pair(
-            t,
+            &t,
             &batch.surface,
             &mut batch.impulse,
             &mut batch.approach,
@@ -107,11 +80,7 @@ impl<'s> Bounces<'s> {
 }
 
 impl<R: Real> Work<R> for Bounces<'_> {
-    fn run_balls(&self, batch: &mut Batch<R, 1>, rows: &mut [Press]) {
-        self.run(batch, rows);
-    }
-
-    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+    fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
         let hits = R::ones(bounces(&batch.approach, &batch.surface, self.step));
         for (lane, row) in rows.iter_mut().enumerate() {
             row.counts = hits.lane(lane);
@@ -131,27 +100,18 @@ pub struct Restore<'s> {
 }
 
 impl<R: Real> Work<R> for Restore<'_> {
-    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+    fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
         if bounces_none(rows) {
             return;
         }
-        let sides = sides(self.bodies, batch);
-        let t = touching(&batch.contact, &sides[0], &sides[1]);
-        restore_pair(&t, &batch.surface, &batch.approach, sides, self.step).write(rows);
-    }
-
-    fn run_balls(&self, batch: &mut Batch<R, 1>, rows: &mut [Press]) {
-        if bounces_none(rows) {
-            return;
-        }
-        let sides = balls(self.bodies, batch);
-        let t = touching_balls(&batch.contact, &sides[0], &sides[1]);
+        let sides = sides::<R, I, P>(self.bodies, batch);
+        let t = I::touching(&batch.contact, &sides[0], &sides[1]);
         restore_pair(&t, &batch.surface, &batch.approach, sides, self.step).write(rows);
     }
 }
 
 /// Whether no pair of a batch bounces; then they give nothing.
-fn bounces_none(rows: &mut [Press]) -> bool {
+pub(super) fn bounces_none(rows: &mut [Press]) -> bool {
     let none = rows.iter().all(|row| row.counts == 0.0);
     if none {
         rows.fill(Press::default());
@@ -161,16 +121,12 @@ fn bounces_none(rows: &mut [Press]) -> bool {
 
 /// The bodies of a batch.
 #[inline(always)]
-fn sides<R: Real, const P: usize>(bodies: &Bodies, batch: &Batch<R, P>) -> [Side<R>; 2] {
+fn sides<R: Real, I: Turns<R>, const P: usize>(
+    bodies: &Bodies,
+    batch: &Batch<R, P>,
+) -> [Side<R, I>; 2] {
     let [a, b] = &batch.rows;
     [Side::of(bodies, a), Side::of(bodies, b)]
-}
-
-/// Those of a batch of balls.
-#[inline(always)]
-fn balls<R: Real>(bodies: &Bodies, batch: &Batch<R, 1>) -> [Side<R, Round<R>>; 2] {
-    let [a, b] = &batch.rows;
-    [Side::of_balls(bodies, a), Side::of_balls(bodies, b)]
 }
 
 /// How bodies moved before the last kick.

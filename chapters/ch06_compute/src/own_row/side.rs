@@ -24,21 +24,56 @@ pub struct Side<R, I = Symmetric<R>> {
 }
 // ANCHOR_END: side
 
-// ANCHOR: side_of
-impl<R: Real> Side<R> {
-    /// Gathers it from the bodies' columns, for as many rows as there are lanes.
+/// How bodies turn, as a row needs it: of balls the attitude is of no matter.
+pub trait Turns<R: Real>: Inertia<R> {
+    /// Attitudes, and I⁻¹ times `shares` in world axes, for as many rows as there are lanes.
+    fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self);
+}
+
+impl<R: Real> Turns<R> for Symmetric<R> {
     #[inline(always)]
-    #[must_use]
-    pub fn of(bodies: &Bodies, rows: &[u32]) -> Self {
-        let [x, y, z, _] = gather::<R>(bytemuck::cast_slice(&bodies.place), rows);
+    fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self) {
         let [i, j, k, w] = gather::<R>(bytemuck::cast_slice(&bodies.attitude), rows);
-        let [vx, vy, vz, shares] = gather::<R>(bytemuck::cast_slice(&bodies.motion), rows);
-        let [wx, wy, wz, inverse_mass] = gather::<R>(bytemuck::cast_slice(&bodies.spin), rows);
         let inverse_inertia = Vec3::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia);
         let attitude = Quat {
             v: Vec3::new(i, j, k),
             w,
         };
+        let turned = Symmetric::turned(attitude.matrix(), inverse_inertia * shares);
+        (attitude, turned)
+    }
+}
+
+impl<R: Real> Turns<R> for Round<R> {
+    #[inline(always)]
+    fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self) {
+        let inverse_inertia = R::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia.x);
+        (Quat::identity(), Round(inverse_inertia * shares))
+    }
+}
+
+// ANCHOR: side_of
+impl<R: Real, I: Turns<R>> Side<R, I> {
+    /// Gathers it from the bodies' columns, for as many rows as there are lanes.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(bodies: &Bodies, rows: &[u32]) -> Self {
+        let motion = gather::<R>(bytemuck::cast_slice(&bodies.motion), rows);
+        let spin = gather::<R>(bytemuck::cast_slice(&bodies.spin), rows);
+        Self::moving(bodies, rows, motion, spin)
+    }
+
+    /// The same of bodies that move as is said: a velocity and n, an angular velocity and 1/m.
+    #[inline(always)]
+    #[must_use]
+    pub fn moving(
+        bodies: &Bodies,
+        rows: &[u32],
+        [vx, vy, vz, shares]: [R; 4],
+        [wx, wy, wz, inverse_mass]: [R; 4],
+    ) -> Self {
+        let [x, y, z, _] = gather::<R>(bytemuck::cast_slice(&bodies.place), rows);
+        let (attitude, shared_inertia) = I::gather(bodies, rows, shares);
         Self {
             position: Vec3::new(x, y, z),
             attitude,
@@ -46,32 +81,11 @@ impl<R: Real> Side<R> {
             angular_velocity: Vec3::new(wx, wy, wz),
             inverse_mass,
             shared_mass: shares * inverse_mass,
-            shared_inertia: Symmetric::turned(attitude.matrix(), inverse_inertia * shares),
+            shared_inertia,
         }
     }
 }
 // ANCHOR_END: side_of
-
-impl<R: Real> Side<R, Round<R>> {
-    /// The same for balls: their attitude is of no matter.
-    #[inline(always)]
-    #[must_use]
-    pub fn of_balls(bodies: &Bodies, rows: &[u32]) -> Self {
-        let [x, y, z, _] = gather::<R>(bytemuck::cast_slice(&bodies.place), rows);
-        let [vx, vy, vz, shares] = gather::<R>(bytemuck::cast_slice(&bodies.motion), rows);
-        let [wx, wy, wz, inverse_mass] = gather::<R>(bytemuck::cast_slice(&bodies.spin), rows);
-        let inverse_inertia = R::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia.x);
-        Self {
-            position: Vec3::new(x, y, z),
-            attitude: Quat::identity(),
-            velocity: Vec3::new(vx, vy, vz),
-            angular_velocity: Vec3::new(wx, wy, wz),
-            inverse_mass,
-            shared_mass: shares * inverse_mass,
-            shared_inertia: Round(inverse_inertia * shares),
-        }
-    }
-}
 
 impl<R: Real, I: Inertia<R>> Side<R, I> {
     /// The same body, moved by an impulse through its origin and a turning impulse: what the row alone

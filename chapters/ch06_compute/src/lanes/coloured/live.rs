@@ -10,12 +10,12 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use crate::bodies::Bodies;
 use crate::lanes::threads;
 use crate::own_row::contact::Moved;
-use crate::own_row::side::Side;
-use crate::simd::{Quat, Real, Symmetric, Vec3, gather};
+use crate::own_row::side::{Side, Turns};
+use crate::simd::{Real, Vec3};
 
 // ANCHOR: live
-/// How a body moves by now, four rows of four numbers: its velocity, its angular velocity with 1/m, and those
-/// of its push. It is a cache line by itself.
+/// How a body moves by now, four rows of four numbers: its velocity with n = 1, its angular velocity with 1/m,
+/// and those of its push. It is a cache line by itself.
 ///
 /// Two batches of a colour have no body in common that moves, so no number is ever written by two threads or
 /// read by one while another writes it; but the compiler can't know. Atomic loads and stores, two numbers at a
@@ -69,29 +69,12 @@ impl Live {
     /// Bodies as they are now, with their whole masses.
     #[inline(always)]
     #[must_use]
-    pub fn read<R: Real>(&self, bodies: &Bodies, rows: &[u32]) -> Moved<R, Symmetric<R>> {
+    pub fn read<R: Real, I: Turns<R>>(&self, bodies: &Bodies, rows: &[u32]) -> Moved<R, I> {
         let live = |k: usize| R::of_rows(|lane| self.rows[rows[lane] as usize].read(k));
-        let [x, y, z, _] = gather::<R>(bytemuck::cast_slice(&bodies.place), rows);
-        let [i, j, k, w] = gather::<R>(bytemuck::cast_slice(&bodies.attitude), rows);
-        let [vx, vy, vz, _] = live(0);
-        let [wx, wy, wz, inverse_mass] = live(1);
         let [px, py, pz, _] = live(2);
         let [qx, qy, qz, _] = live(3);
-        let inverse_inertia = Vec3::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia);
-        let attitude = Quat {
-            v: Vec3::new(i, j, k),
-            w,
-        };
         Moved {
-            side: Side {
-                position: Vec3::new(x, y, z),
-                attitude,
-                velocity: Vec3::new(vx, vy, vz),
-                angular_velocity: Vec3::new(wx, wy, wz),
-                inverse_mass,
-                shared_mass: inverse_mass,
-                shared_inertia: Symmetric::turned(attitude.matrix(), inverse_inertia),
-            },
+            side: Side::moving(bodies, rows, live(0), live(1)),
             push: Vec3::new(px, py, pz),
             turning_push: Vec3::new(qx, qy, qz),
         }

@@ -2,9 +2,9 @@
 
 use super::Live;
 use crate::bodies::Bodies;
-use crate::lanes::batches::{Batch, Work};
-use crate::lanes::work::before;
-use crate::own_row::contact::{Given, Visit, restore_pair, solve_moved, touching};
+use crate::lanes::batches::{Batch, Kind, Work};
+use crate::lanes::work::{before, bounces_none};
+use crate::own_row::contact::{Given, Moved, Visit, restore_pair, solve_moved};
 use crate::rows::{Press, Step};
 use crate::simd::{MOST_LANES, Mask, Real, array_of};
 
@@ -24,18 +24,14 @@ pub struct Sweep<'s> {
 }
 
 impl<R: Real> Work<R> for Sweep<'_> {
-    fn run_balls(&self, batch: &mut Batch<R, 1>, rows: &mut [Press]) {
-        self.run(batch, rows);
-    }
-
-    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+    fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
         let [a, b] = batch.rows;
         let was_impact = if self.again {
             R::of(|lane| rows[lane].stays).same(R::splat(0.0))
         } else {
             R::Mask::splat(false)
         };
-        let mut visit = Visit {
+        let mut visit = Visit::<R, I> {
             moved: [
                 self.live.read(self.bodies, &a),
                 self.live.read(self.bodies, &b),
@@ -44,7 +40,7 @@ impl<R: Real> Work<R> for Sweep<'_> {
             ends: self.ends,
         };
         let [one, two] = &visit.moved;
-        let t = touching(&batch.contact, &one.side, &two.side);
+        let t = I::touching(&batch.contact, &one.side, &two.side);
         let given = solve_moved(
             &t,
             &batch.surface,
@@ -89,22 +85,17 @@ pub struct Restore<'s> {
 }
 
 impl<R: Real> Work<R> for Restore<'_> {
-    fn run_balls(&self, batch: &mut Batch<R, 1>, rows: &mut [Press]) {
-        self.run(batch, rows);
-    }
-
-    fn run<const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
-        if rows.iter().all(|row| row.counts == 0.0) {
-            rows.fill(Press::default());
+    fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+        if bounces_none(rows) {
             return;
         }
         let [a, b] = batch.rows;
-        let mut moved = [
+        let mut moved: [Moved<R, I>; 2] = [
             self.live.read(self.bodies, &a),
             self.live.read(self.bodies, &b),
         ];
         let sides = moved.map(|body| body.side);
-        let t = touching(&batch.contact, &sides[0], &sides[1]);
+        let t = I::touching(&batch.contact, &sides[0], &sides[1]);
         let given = restore_pair(&t, &batch.surface, &batch.approach, sides, self.step);
         given.write(rows);
         let [one, two] = &mut moved;
