@@ -19,6 +19,7 @@ use crate::clock::Pace;
 use crate::gpu::Gpu;
 use crate::overlay::Panels;
 use crate::show::Show;
+use crate::side_by_side::{Extras, Menu};
 use crate::stage::Stage;
 use crate::surface::{self, WindowSurface};
 use crate::window_loop::WindowLoop;
@@ -30,20 +31,32 @@ const MOST_LOSSES: u32 = 3;
 /// Width and height of the window at the start, points.
 const SIZE: LogicalSize<u32> = LogicalSize::new(1280, 720);
 
-/// Opens a window on a session, with this shown in it, and returns when it is closed.
+/// Opens a window on a session, with this shown in it and what the program adds, and returns when it is
+/// closed.
 ///
 /// # Errors
 /// [`ShellError::NoDisplay`] or [`ShellError::NoAdapter`] where there can be no window,
 /// [`ShellError::Graphics`] if the device fails.
-pub fn run(chapter: &Chapter, session: Session, pace: Pace, show: Show) -> Result<(), ShellError> {
+pub fn run(
+    chapter: &Chapter,
+    session: Session,
+    pace: Pace,
+    show: Show,
+    extras: Extras,
+) -> Result<(), ShellError> {
     let start = Instant::now();
     let event_loop = EventLoop::<Ready>::with_user_event()
         .build()
         .map_err(|error| ShellError::NoDisplay(error.to_string()))?;
+    let mut stage = Stage::new(*chapter, session, pace, show);
+    if let Some(runs) = extras.runs {
+        stage.show_beside(runs);
+    }
     let mut app = App {
         start,
         proxy: event_loop.create_proxy(),
-        phase: Phase::Waiting(Box::new(Stage::new(*chapter, session, pace, show)), None),
+        phase: Phase::Waiting(Box::new(stage), None),
+        menus: extras.menus,
         losses: 0,
         failure: None,
     };
@@ -61,6 +74,8 @@ struct App {
     start: Instant,
     proxy: EventLoopProxy<Ready>,
     phase: Phase,
+    /// What the program adds to the panels; they have it from the first frame on.
+    menus: Vec<Box<dyn Menu>>,
     /// How often the device was lost.
     losses: u32,
     failure: Option<ShellError>,
@@ -106,7 +121,8 @@ impl App {
         let surface = WindowSurface::new(&gpu, surface, &window)?;
         match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Waiting(stage, panels) => {
-                let panels = panels.map(|panels| *panels).unwrap_or_default();
+                let menus = std::mem::take(&mut self.menus);
+                let panels = panels.map_or_else(|| Panels::with(menus), |panels| *panels);
                 let running = WindowLoop::new(window, gpu, surface, *stage, panels, self.start);
                 self.phase = Phase::Running(Box::new(running));
             }

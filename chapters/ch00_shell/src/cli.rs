@@ -20,7 +20,8 @@ use crate::headless::{Dump, Picture};
 use crate::render::Theme;
 use crate::screenshot::View;
 use crate::session::Session;
-use crate::show::{Dissect, Wish};
+use crate::show::{Dissect, Show, Wish};
+use crate::side_by_side::Extras;
 use crate::{app, headless};
 use values::{at_least_one, dissect, layer, step_count, step_size, view_angles, whole_number};
 
@@ -147,7 +148,9 @@ impl Args {
         }
     }
 
-    fn view(&self) -> View {
+    /// From where a picture is drawn, and in which colours.
+    #[must_use]
+    pub fn view(&self) -> View {
         View {
             angles_and_zoom: self.view,
             theme: if self.dark { Theme::Dark } else { Theme::Light },
@@ -246,6 +249,14 @@ pub fn report(outcome: Result<(), ShellError>) -> ExitCode {
 /// # Errors
 /// [`ShellError`] for whatever can't be had or written.
 pub fn run(chapter: &Chapter, args: &Args) -> Result<(), ShellError> {
+    run_with(chapter, args, Extras::default())
+}
+
+/// The same with what a program adds to the window.
+///
+/// # Errors
+/// [`ShellError`] for whatever can't be had or written.
+pub fn run_with(chapter: &Chapter, args: &Args, extras: Extras) -> Result<(), ShellError> {
     let session = args.session(chapter)?;
     args.wish().check(&session)?;
     if args.explain {
@@ -253,7 +264,7 @@ pub fn run(chapter: &Chapter, args: &Args) -> Result<(), ShellError> {
     } else if args.is_headless() {
         headless::run(session, &args.headless_options(Picture::None))
     } else {
-        open_window(chapter, args, session)
+        open_window(chapter, args, session, extras)
     }
 }
 
@@ -338,20 +349,19 @@ fn explain(session: &Session) -> String {
 }
 
 /// Opens a window; without a display or an adapter says so and runs headless instead.
-fn open_window(chapter: &Chapter, args: &Args, session: Session) -> Result<(), ShellError> {
+fn open_window(
+    chapter: &Chapter,
+    args: &Args,
+    session: Session,
+    extras: Extras,
+) -> Result<(), ShellError> {
     let pace = if args.variable_step {
         Pace::Variable
     } else {
         Pace::Fixed
     };
-    let outcome = match display() {
-        Ok(()) => {
-            let show = args.wish().show(&session);
-            app::run(chapter, session, pace, show)
-        }
-        Err(error) => Err(error),
-    };
-    match outcome {
+    let show = args.wish().show(&session);
+    match open(chapter, session, pace, show, extras) {
         Err(error @ (ShellError::NoDisplay(_) | ShellError::NoAdapter(_))) => {
             eprintln!("{error}; running without a window");
             headless::run(
@@ -361,6 +371,22 @@ fn open_window(chapter: &Chapter, args: &Args, session: Session) -> Result<(), S
         }
         outcome => outcome,
     }
+}
+
+/// Opens a window on a session and returns when it is closed.
+///
+/// # Errors
+/// [`ShellError::NoDisplay`] or [`ShellError::NoAdapter`] where there can be no window,
+/// [`ShellError::Graphics`] if the device fails.
+pub fn open(
+    chapter: &Chapter,
+    session: Session,
+    pace: Pace,
+    show: Show,
+    extras: Extras,
+) -> Result<(), ShellError> {
+    display()?;
+    app::run(chapter, session, pace, show, extras)
 }
 
 /// Whether a window can be hoped for: X11 and Wayland say so in the environment.

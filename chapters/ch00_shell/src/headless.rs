@@ -150,7 +150,10 @@ fn summarise(session: &Session, options: &Options, timing: Timing, worst: &Worst
 }
 
 /// Writes to the standard output. That nobody reads it any more (`| head`) is no error.
-pub(crate) fn print(text: &str) -> Result<(), ShellError> {
+///
+/// # Errors
+/// [`ShellError::Write`] where it can't be written.
+pub fn print(text: &str) -> Result<(), ShellError> {
     match stdout().lock().write_all(text.as_bytes()) {
         Err(source) if source.kind() != ErrorKind::BrokenPipe => Err(ShellError::Write {
             file: PathBuf::from("the standard output"),
@@ -203,7 +206,8 @@ fn say_drawn(file: &Path, adapter: &str) {
 }
 
 /// `balls-after-600-steps.png`; what can't stand in a file's name becomes `_`.
-fn picture_name(scene: &str, steps: u64) -> PathBuf {
+#[must_use]
+pub fn picture_name(scene: &str, steps: u64) -> PathBuf {
     let plain = |c: char| {
         if c.is_alphanumeric() || "-_".contains(c) {
             c
@@ -216,7 +220,10 @@ fn picture_name(scene: &str, steps: u64) -> PathBuf {
 }
 
 /// Opens the file for writing, leaves what stands in it, and leaves none where there was none.
-fn check_writable(file: &Path) -> Result<(), ShellError> {
+///
+/// # Errors
+/// [`ShellError::Write`] where it can't be.
+pub fn check_writable(file: &Path) -> Result<(), ShellError> {
     let existed = file.exists();
     let check = || {
         OpenOptions::new().create(true).append(true).open(file)?;

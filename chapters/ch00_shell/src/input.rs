@@ -43,7 +43,7 @@ pub struct Input {
 impl Input {
     /// Takes an event of the window; one that is the overlay's begins nothing here.
     pub fn on_event(&mut self, stage: &mut Stage, event: &WindowEvent, is_for_overlay: bool) {
-        let is_on_scene = !is_for_overlay && stage.viewport().contains(self.pointer);
+        let is_on_scene = !is_for_overlay && stage.is_scene_at(self.pointer);
         match event {
             WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
             WindowEvent::KeyboardInput { event, .. } if !is_for_overlay => {
@@ -77,7 +77,9 @@ impl Input {
         let key = event.logical_key.as_ref();
         if self.modifiers.control_key() {
             self.wants_to_quit |= matches!(key, Key::Character("q" | "Q"));
-            act_with_control(stage, &key, self.modifiers.shift_key());
+            if stage.beside.is_none() {
+                act_with_control(stage, &key, self.modifiers.shift_key());
+            }
             return;
         }
         // Only stepping goes on while a key is held.
@@ -155,9 +157,22 @@ fn act_with_control(stage: &mut Stage, key: &Key<&str>, has_shift: bool) {
     }
 }
 
+/// Whether a key does the same where several runs are side by side.
+fn is_for_all(key: &Key<&str>) -> bool {
+    match key {
+        Key::Character(letter) => ".nNrRcChHlL".contains(letter),
+        Key::Named(name) => matches!(name, NamedKey::Space | NamedKey::F1 | NamedKey::Escape),
+        _ => false,
+    }
+}
+
 /// What a key without modifiers does.
 fn act(stage: &mut Stage, key: &Key<&str>) {
+    if stage.beside.is_some() && !is_for_all(key) {
+        return;
+    }
     match key {
+        Key::Named(NamedKey::Escape) if stage.beside.is_some() => stage.close_beside(),
         Key::Named(NamedKey::Space) => stage.toggle_pause(),
         Key::Named(NamedKey::F1) | Key::Character("h" | "H") => {
             stage.shows_overlay = !stage.shows_overlay;

@@ -23,6 +23,7 @@ mod resident;
 pub mod screenshot;
 pub mod session;
 pub mod show;
+pub mod side_by_side;
 mod stage;
 mod state_file;
 pub mod summary;
@@ -35,8 +36,9 @@ mod window_loop;
 mod worst;
 
 pub use chapter::Chapter;
-pub use cli::{Args, main, report, run};
+pub use cli::{Args, main, open, report, run, run_with};
 pub use error::ShellError;
 pub use gpu::Gpu;
 pub use resident::{Drawn, Resident};
 pub use session::Session;
+pub use side_by_side::{Extras, Menu, Opening, SideBySide, View};

@@ -11,8 +11,9 @@ use crate::camera::{Camera, Viewport};
 use crate::gpu::Gpu;
 use crate::guides::Guides;
 use crate::overlay::{Canvas, Still};
-use crate::render::{Picture, Quality, Renderer, Surroundings, Theme};
+use crate::render::{Picture, Quality, Renderer, Several, Surroundings, Theme};
 use crate::show::Show;
+use crate::side_by_side::SideBySide;
 use crate::{Session, ShellError};
 
 /// Width and height of the picture, pixels.
@@ -40,11 +41,89 @@ pub struct View {
 pub fn save(session: &Session, show: &Show, view: View, path: &Path) -> Result<String, ShellError> {
     let gpu = Gpu::shared()?;
     let pixels = draw(&gpu, session, show, view, 1.0)?;
-    write_png(path, &pixels).map_err(|source| ShellError::Write {
+    keep(path, &pixels)?;
+    Ok(gpu.name.clone())
+}
+
+/// Draws the last states of several runs and what they plot, and writes a PNG. Gives the name of the
+/// adapter that drew it.
+///
+/// # Errors
+/// As [`save`] has.
+pub fn save_beside(
+    runs: &mut dyn SideBySide,
+    view: View,
+    path: &Path,
+) -> Result<String, ShellError> {
+    let gpu = Gpu::shared()?;
+    let pixels = draw_beside(&gpu, runs, view)?;
+    keep(path, &pixels)?;
+    Ok(gpu.name.clone())
+}
+
+fn keep(path: &Path, pixels: &[u8]) -> Result<(), ShellError> {
+    write_png(path, pixels).map_err(|source| ShellError::Write {
         file: path.to_owned(),
         source,
-    })?;
-    Ok(gpu.name.clone())
+    })
+}
+
+/// What a picture is drawn into.
+fn texture(gpu: &Gpu) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("screenshot"),
+        size: extent(),
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
+
+/// The pixels of a picture of several runs.
+fn draw_beside(gpu: &Gpu, runs: &mut dyn SideBySide, view: View) -> Result<Vec<u8>, ShellError> {
+    let texture = texture(gpu);
+    let mut still = Still::new(gpu, FORMAT, SIZE, view.theme);
+    // Panels have their places from the second time on.
+    still.lay_out_beside(runs);
+    let places = still.lay_out_beside(runs);
+    let views = runs.views();
+    let first = views.iter().find_map(|view| view.session);
+    let (Some(session), Some(place)) = (first, places.first()) else {
+        return Err(ShellError::Graphics("there is no run to draw".to_owned()));
+    };
+    let surroundings = Surroundings::of(session.scene());
+    let camera = camera(session, &Show::default(), view, &surroundings, *place);
+    let picture = Picture {
+        session,
+        alpha: 1.0,
+        camera: &camera,
+        viewport: *place,
+        scale: 1.0,
+        theme: view.theme,
+        margin: still.background(),
+        picked: None,
+        pair: None,
+        is_glass: false,
+        strokes: &[],
+        faces: &[],
+        is_as_read: false,
+    };
+    let mut encoder = gpu
+        .device
+        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let target = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    let pictures = picture.of_each(&views, &places);
+    let mut several = Several::new(FORMAT, Quality::CARD);
+    several.draw(gpu, &mut encoder, (&target, SIZE), &surroundings, &pictures);
+    let canvas = Canvas {
+        texture: &texture,
+        view: &target,
+    };
+    still.paint(gpu, &mut encoder, &canvas);
+    read_back(gpu, encoder, &texture)
 }
 
 /// The picture's pixels, row by row from the top; bodies are `alpha` of the way from the last state but
@@ -56,16 +135,7 @@ fn draw(
     view: View,
     alpha: f64,
 ) -> Result<Vec<u8>, ShellError> {
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("screenshot"),
-        size: extent(),
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: FORMAT,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    });
+    let texture = texture(gpu);
     let guides = Guides::of_picture(session, show, view.theme);
     let surroundings = Surroundings::of(session.scene());
     let mut still = Still::new(gpu, FORMAT, SIZE, view.theme);

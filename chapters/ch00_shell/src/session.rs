@@ -128,10 +128,7 @@ impl Session {
     /// # Errors
     /// [`LoadError`] where the engine can't be loaded again; the session then stays as it is.
     pub fn reset(&mut self) -> Result<(), LoadError> {
-        let scene = Scene {
-            dt: self.scene.dt,
-            ..self.loaded.clone()
-        };
+        let scene = self.scene_at_start();
         let revision = self.revision + 1;
         *self = Self {
             revision,
@@ -184,6 +181,15 @@ impl Session {
         let position = self.before.position[body].lerp(self.now.position[body], alpha);
         let orientation = self.before.orientation[body].lerp(self.now.orientation[body], alpha);
         (position, orientation)
+    }
+
+    /// The scene as it was loaded, with the step's size as it is now.
+    #[must_use]
+    pub fn scene_at_start(&self) -> Scene {
+        Scene {
+            dt: self.scene.dt,
+            ..self.loaded.clone()
+        }
     }
 
     /// The scene as it is now, with the bodies thrown in and without those removed.

@@ -2,6 +2,8 @@
 //! is paused, picked, pulled and drawn. Keys, mouse and overlay all act through this one
 //! type, and it knows none of them.
 
+mod beside;
+mod camera;
 mod editing;
 mod following;
 mod hands;
@@ -10,9 +12,8 @@ mod looking;
 use std::time::Duration;
 
 use ch00_scenes::{EngineEntry, Pull, Scene, Settings};
-use glam::Vec2;
 
-use crate::camera::{Camera, Ray, Viewport};
+use crate::camera::{Camera, Viewport};
 use crate::clock::{Clock, Pace};
 use crate::edits::Edits;
 use crate::frame_rate::FrameRate;
@@ -20,6 +21,7 @@ use crate::gpu::Gpu;
 use crate::render::{Surroundings, Theme};
 use crate::resident::Resident;
 use crate::show::Show;
+use crate::side_by_side::SideBySide;
 use crate::{Chapter, Session, ShellError};
 
 pub use editing::PAUSE_FIRST;
@@ -40,8 +42,12 @@ pub struct Stage {
     pub camera: Camera,
     /// Whether the camera has been moved from where it starts.
     is_camera_moved: bool,
-    /// Where in the window the scene is.
+    /// Where in the window the scene is; of several views, the first.
     viewport: Viewport,
+    /// Runs that are shown in place of the session.
+    pub beside: Option<Box<dyn SideBySide>>,
+    /// Where in the window each of them is.
+    rooms: Vec<Viewport>,
     /// Frames as they come.
     pub frame_rate: FrameRate,
     /// Colours of the picture.
@@ -82,6 +88,8 @@ impl Stage {
             camera: Camera::framing(&surroundings, viewport),
             is_camera_moved: false,
             viewport,
+            beside: None,
+            rooms: Vec::new(),
             surroundings,
             session,
             clock: Clock::new(pace),
@@ -146,6 +154,9 @@ impl Stage {
 
     /// A frame that begins `elapsed` seconds after the last one.
     pub fn advance(&mut self, elapsed: f64) {
+        if self.beside.is_some() {
+            return self.advance_beside(elapsed);
+        }
         if !self.is_paused {
             let cost = self.session.cost().as_secs_f64();
             let frame = self.clock.frame(elapsed, self.session.dt(), cost);
@@ -187,6 +198,9 @@ impl Stage {
             let settings = self.session.settings().clone();
             self.change_engine(self.session.entry(), settings);
         }
+        if let Some(runs) = &mut self.beside {
+            runs.move_to(gpu);
+        }
     }
 
     /// Stops time, or lets it go on.
@@ -198,13 +212,20 @@ impl Stage {
     /// Makes one step and stops there.
     pub fn step_once(&mut self) {
         self.is_paused = true;
-        self.session.step();
+        match &mut self.beside {
+            Some(runs) => runs.step(),
+            None => self.session.step(),
+        }
         self.alpha = 1.0;
     }
 
     /// Starts the scene again.
     pub fn reset(&mut self) {
         self.let_go();
+        if let Some(runs) = &mut self.beside {
+            runs.reset();
+            return self.after_restart();
+        }
         let body = self.followed_body();
         let outcome = self.session.reset();
         if outcome.is_ok() {
@@ -283,41 +304,6 @@ impl Stage {
         }
         self.report(outcome.map_err(ShellError::from));
         self.show.keep_possible(&self.session);
-    }
-
-    /// Where in the window the scene is from now on. A camera that nobody has moved keeps
-    /// all of the scene in the picture.
-    pub fn set_viewport(&mut self, viewport: Viewport) {
-        if self.viewport != viewport {
-            self.viewport = viewport;
-            if !self.is_camera_moved {
-                self.move_camera_home();
-            }
-        }
-    }
-
-    /// Where in the window the scene is.
-    #[must_use]
-    pub fn viewport(&self) -> Viewport {
-        self.viewport
-    }
-
-    /// Puts the camera where it starts.
-    pub fn move_camera_home(&mut self) {
-        self.camera = Camera::framing(&self.surroundings, self.viewport);
-        self.is_camera_moved = false;
-    }
-
-    /// The camera, to move it.
-    pub fn camera_to_move(&mut self) -> &mut Camera {
-        self.is_camera_moved = true;
-        &mut self.camera
-    }
-
-    /// The line of sight through a pixel of the window.
-    #[must_use]
-    pub fn sight(&self, pixel: Vec2) -> Ray {
-        self.camera.ray(self.viewport, pixel)
     }
 
     /// Names picked bodies as the scene does that is there again, with those that were removed.

@@ -13,7 +13,7 @@ use crate::gpu::Gpu;
 use crate::guides::Guides;
 use crate::input::Input;
 use crate::overlay::{Canvas, Layout, Overlay, Panels};
-use crate::render::{Picture, Quality, Renderer};
+use crate::render::{Picture, Quality, Renderer, Several};
 use crate::stage::Stage;
 use crate::surface::WindowSurface;
 
@@ -22,6 +22,7 @@ pub struct WindowLoop {
     window: Arc<Window>,
     surface: WindowSurface,
     renderer: Renderer,
+    several: Several,
     overlay: Overlay,
     input: Input,
     stage: Stage,
@@ -50,6 +51,7 @@ impl WindowLoop {
         let quality = Quality::of(gpu.is_software, surroundings);
         Self {
             renderer: Renderer::new(&gpu, surface.format(), quality, surroundings.clone()),
+            several: Several::new(surface.format(), quality),
             overlay: Overlay::new(&gpu, &window, surface.format(), panels),
             input: Input::default(),
             guides: Guides::default(),
@@ -117,13 +119,18 @@ impl WindowLoop {
             return Ok(());
         };
         let elapsed = self.measure_time();
+        self.leave_processor_to_runs();
         self.stage.advance(elapsed);
         self.guides.collect(&self.stage);
         let size = self.surface.size();
         let layout = self
             .overlay
             .lay_out(&self.window, size, &mut self.stage, &self.guides);
-        self.stage.set_viewport(layout.viewport);
+        if layout.views.is_empty() {
+            self.stage.set_viewport(layout.viewport);
+        } else {
+            self.stage.set_rooms(layout.views.clone());
+        }
         self.draw(&picture, layout);
         self.window.pre_present_notify();
         self.gpu.queue.present(picture);
@@ -140,6 +147,15 @@ impl WindowLoop {
         }
         self.last_frame = Some(now);
         elapsed.as_secs_f64()
+    }
+
+    /// Runs side by side are compared by their times. A processor that imitates a graphics card ends the
+    /// last picture first, which would otherwise be drawn while they are timed.
+    fn leave_processor_to_runs(&self) {
+        if self.gpu.is_software && self.stage.beside.is_some() {
+            // What goes wrong here is the device's failure, or its loss.
+            let _ = self.gpu.device.poll(wgpu::PollType::wait_indefinitely());
+        }
     }
 
     /// Draws the scene and paints the overlay over it.
@@ -168,7 +184,22 @@ impl WindowLoop {
             faces: &self.guides.faces,
             is_as_read: self.stage.show.is_any(),
         };
-        self.renderer.draw(gpu, &mut encoder, &view, size, &scene);
+        match self
+            .stage
+            .beside
+            .as_ref()
+            .filter(|_| !layout.views.is_empty())
+        {
+            Some(runs) => {
+                let views = runs.views();
+                let scenes = scene.of_each(&views, &layout.views);
+                let (around, _) = self.stage.surroundings();
+                let canvas = (&view, size);
+                self.several
+                    .draw(gpu, &mut encoder, canvas, around, &scenes);
+            }
+            None => self.renderer.draw(gpu, &mut encoder, &view, size, &scene),
+        }
         let canvas = Canvas {
             texture: &picture.texture,
             view: &view,
@@ -184,6 +215,7 @@ impl WindowLoop {
             self.generation = generation;
             let (gpu, around) = (&self.gpu, surroundings.clone());
             let quality = Quality::of(gpu.is_software, &around);
+            self.several = Several::new(self.surface.format(), quality);
             if quality == self.renderer.quality() {
                 self.renderer.set_surroundings(gpu, around);
             } else {

@@ -8,7 +8,7 @@ use crate::stage::Stage;
 pub struct Keys;
 
 /// What to press, and what it does.
-const KEYS: [(&str, &str); 21] = [
+const KEYS: [(&str, &str); 22] = [
     ("Space", "pause or go on"),
     (". or N", "one step"),
     ("R", "reset"),
@@ -25,6 +25,7 @@ const KEYS: [(&str, &str); 21] = [
     ("B", "camera near that pair, or the picked body"),
     ("Left Right Home End", "through its iterations"),
     ("H or F1", "this panel"),
+    ("Esc", "close runs that are side by side"),
     ("Ctrl-Q", "close the window"),
     ("drag a body", "pull it by a spring"),
     (

@@ -3,6 +3,7 @@
 //! looked at, its narrow phase. It draws nothing over the
 //! scene but marks and notes; what is left of the window is the scene's.
 
+mod beside;
 mod counts;
 mod errors;
 mod format;
@@ -32,6 +33,7 @@ use crate::camera::Viewport;
 use crate::gpu::Gpu;
 use crate::guides::Guides;
 use crate::render::Theme;
+use crate::side_by_side::Menu;
 use crate::stage::Stage;
 use painter::Painter;
 use properties::Properties;
@@ -65,6 +67,8 @@ pub struct Overlay {
 pub struct Panels {
     context: egui::Context,
     sections: Vec<Box<dyn Section>>,
+    /// What the program added.
+    menus: Vec<Box<dyn Menu>>,
     properties: Properties,
     theme: Option<Theme>,
 }
@@ -74,6 +78,8 @@ pub struct Layout {
     output: egui::FullOutput,
     /// What is left for the scene.
     pub viewport: Viewport,
+    /// The views in it, where several runs are side by side.
+    pub views: Vec<Viewport>,
     /// The same, points.
     free: egui::Rect,
     background: egui::Color32,
@@ -183,6 +189,7 @@ impl Default for Panels {
                 Box::new(plan::Plan),
                 Box::new(keys::Keys),
             ],
+            menus: Vec::new(),
             properties: Properties::default(),
             theme: None,
         }
@@ -190,6 +197,14 @@ impl Default for Panels {
 }
 
 impl Panels {
+    /// The panels with these sections besides the shell's.
+    pub fn with(menus: Vec<Box<dyn Menu>>) -> Self {
+        Self {
+            menus,
+            ..Self::default()
+        }
+    }
+
     /// Lays the panels out and lets them act on the stage.
     fn lay_out(
         &mut self,
@@ -205,9 +220,20 @@ impl Panels {
         }
         let context = self.context.clone();
         let mut free = egui::Rect::ZERO;
-        let output = context.run_ui(input, |ui| free = self.show(ui, stage, guides));
+        let mut views = Vec::new();
+        let output = context.run_ui(input, |ui| {
+            if stage.beside.is_some() {
+                let left = self.show_beside(ui, stage);
+                (free, views) = (left.all, left.views);
+            } else {
+                free = self.show(ui, stage, guides);
+                views.clear();
+            }
+        });
+        let in_pixels = |room| viewport(room, output.pixels_per_point, size);
         Layout {
-            viewport: viewport(free, output.pixels_per_point, size),
+            viewport: in_pixels(free),
+            views: views.into_iter().map(in_pixels).collect(),
             free,
             background: context.global_style().visuals.panel_fill,
             time: context.input(|input| input.time),
@@ -245,6 +271,7 @@ impl Panels {
         egui::ScrollArea::vertical()
             .auto_shrink(false)
             .show(ui, |ui| {
+                self.show_menus(ui, stage);
                 for section in &mut self.sections {
                     fold(ui, section.as_mut(), stage);
                 }

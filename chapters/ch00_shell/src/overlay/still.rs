@@ -1,6 +1,7 @@
 //! The overlay of a still picture: what the window shows besides its left panel, laid out without
 //! a window.
 
+use super::beside::show_views;
 use super::painter::{Canvas, Painter};
 use super::{Layout, narrow, notes, style, viewport};
 use crate::Session;
@@ -9,6 +10,7 @@ use crate::gpu::Gpu;
 use crate::guides::Guides;
 use crate::render::Theme;
 use crate::show::Show;
+use crate::side_by_side::{SideBySide, whole};
 
 /// An overlay for one picture.
 pub struct Still {
@@ -44,22 +46,37 @@ impl Still {
         guides: &Guides,
         camera: &Camera,
     ) -> Viewport {
-        #[expect(clippy::cast_precision_loss, reason = "a few thousand pixels")]
-        let size = egui::Vec2::from(self.size.map(|side| side as f32));
-        let input = egui::RawInput {
-            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, size)),
-            ..egui::RawInput::default()
-        };
-        let mut free = egui::Rect::ZERO;
-        let output = self.context.run_ui(input, |ui| {
+        self.run(|ui| {
             if let Some(mut pair) = show.pair {
                 let dissection = guides.dissection.as_ref();
                 narrow::show(ui, session, &mut pair, dissection, camera, true);
             }
-            free = ui.available_rect_before_wrap();
+            let free = ui.available_rect_before_wrap();
             let painter = ui.painter_at(free);
             notes::paint(&painter, ui.visuals(), free, camera, guides);
+            free
+        })
+    }
+
+    /// Lays out several runs side by side and gives what is left for each view that has a picture.
+    pub fn lay_out_beside(&mut self, runs: &mut dyn SideBySide) -> Vec<Viewport> {
+        let mut views = Vec::new();
+        self.run(|ui| {
+            let free = show_views(ui, runs);
+            views = free.views;
+            free.all
         });
+        let in_pixels = |room| viewport(room, 1.0, self.size);
+        views.into_iter().map(in_pixels).collect()
+    }
+
+    fn run(&mut self, mut add: impl FnMut(&mut egui::Ui) -> egui::Rect) -> Viewport {
+        let input = egui::RawInput {
+            screen_rect: Some(whole(self.size)),
+            ..egui::RawInput::default()
+        };
+        let mut free = egui::Rect::ZERO;
+        let output = self.context.run_ui(input, |ui| free = add(ui));
         let viewport = viewport(free, 1.0, self.size);
         let mut all = self
             .layout
@@ -70,6 +87,7 @@ impl Still {
         self.layout = Some(Layout {
             output: all,
             viewport,
+            views: Vec::new(),
             free,
             background: self.context.global_style().visuals.panel_fill,
             time: 0.0,

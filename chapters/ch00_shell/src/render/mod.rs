@@ -18,6 +18,7 @@ mod quality;
 mod rods;
 mod rows;
 mod scenery;
+mod several;
 pub mod shaders;
 mod shadow;
 mod surroundings;
@@ -27,6 +28,7 @@ mod theme;
 pub use faces::byte;
 pub use frame::grid_cell;
 pub use quality::Quality;
+pub use several::Several;
 pub use surroundings::Surroundings;
 pub use theme::Theme;
 
@@ -48,7 +50,7 @@ use rods::Rods;
 use rows::Rows;
 use scenery::Scenery;
 use shadow::ShadowMap;
-use targets::Targets;
+use targets::{Targets, Turn};
 
 /// What to draw.
 pub struct Picture<'a> {
@@ -169,9 +171,26 @@ impl Renderer {
         size: [u32; 2],
         picture: &Picture,
     ) {
+        let fitting = self.targets.take().filter(|targets| targets.fits(size));
+        let targets =
+            fitting.unwrap_or_else(|| Targets::new(&gpu.device, self.format, &self.quality, size));
+        self.draw_part(gpu, encoder, view, (&targets, Turn::ALONE), picture);
+        self.targets = Some(targets);
+    }
+
+    /// Draws into the picture's part of `view`, which others may draw into, too.
+    fn draw_part(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        view: &wgpu::TextureView,
+        (targets, turn): (&Targets, Turn),
+        picture: &Picture,
+    ) {
         self.write(gpu, picture);
         self.draw_shadow(encoder, picture);
-        self.draw_scene(gpu, encoder, view, size, picture);
+        let mut pass = targets.begin(encoder, view, picture.margin, turn);
+        self.draw_scene(&mut pass, picture);
     }
 
     /// Everything that has changed since the last frame.
@@ -202,44 +221,34 @@ impl Renderer {
         self.bodies.draw_shadows(&mut pass, &self.shadow, corners);
     }
 
-    fn draw_scene(
-        &mut self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        view: &wgpu::TextureView,
-        size: [u32; 2],
-        picture: &Picture,
-    ) {
-        let fitting = self.targets.take().filter(|targets| targets.fits(size));
-        let targets =
-            fitting.unwrap_or_else(|| Targets::new(&gpu.device, self.format, &self.quality, size));
-        let mut pass = targets.begin(encoder, view, picture.margin);
+    fn draw_scene(&self, pass: &mut wgpu::RenderPass, picture: &Picture) {
         let (origin, extent) = (picture.viewport.origin, picture.viewport.size);
         pass.set_viewport(origin.x, origin.y, extent.x, extent.y, 0.0, 1.0);
+        let [x, y, width, height] =
+            [origin.x, origin.y, extent.x, extent.y].map(|side| side.round() as u32);
+        pass.set_scissor_rect(x, y, width, height);
         pass.set_bind_group(0, &self.bindings.scene, &[]);
-        self.rows.bind(&mut pass);
-        self.bodies.draw_ball_depths(&mut pass);
-        self.bodies.draw_all_but_balls(&mut pass);
-        self.scenery.draw(&mut pass);
-        self.bodies.draw_balls_only(&mut pass);
+        self.rows.bind(pass);
+        self.bodies.draw_ball_depths(pass);
+        self.bodies.draw_all_but_balls(pass);
+        self.scenery.draw(pass);
+        self.bodies.draw_balls_only(pass);
         let has_drawings = !picture.strokes.is_empty() || !picture.faces.is_empty();
         if has_drawings || self.rods.is_any() {
-            self.bodies.draw_ball_surfaces(&mut pass);
+            self.bodies.draw_ball_surfaces(pass);
         }
-        self.faces.draw_hidden(&mut pass);
-        self.lines.draw_hidden(&mut pass);
-        self.rods.draw_hidden(&mut pass);
-        self.faces.draw_solid(&mut pass);
-        self.faces.draw_translucent(&mut pass);
-        self.lines.draw(&mut pass);
-        self.rods.draw(&mut pass);
-        if self.bodies.draw_glass(&mut pass) {
+        self.faces.draw_hidden(pass);
+        self.lines.draw_hidden(pass);
+        self.rods.draw_hidden(pass);
+        self.faces.draw_solid(pass);
+        self.faces.draw_translucent(pass);
+        self.lines.draw(pass);
+        self.rods.draw(pass);
+        if self.bodies.draw_glass(pass) {
             // Once more, for what is before the glass.
-            self.faces.draw_solid(&mut pass);
-            self.lines.draw(&mut pass);
-            self.rods.draw(&mut pass);
+            self.faces.draw_solid(pass);
+            self.lines.draw(pass);
+            self.rods.draw(pass);
         }
-        drop(pass);
-        self.targets = Some(targets);
     }
 }

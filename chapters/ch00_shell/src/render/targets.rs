@@ -7,6 +7,23 @@ use super::quality::Quality;
 /// precision even over the whole distance.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
+/// Where a drawing stands among those that go into one picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Turn {
+    /// Whether it begins with an empty picture.
+    pub is_first: bool,
+    /// Whether the picture is done after it.
+    pub is_last: bool,
+}
+
+impl Turn {
+    /// The only drawing of a picture.
+    pub const ALONE: Self = Self {
+        is_first: true,
+        is_last: true,
+    };
+}
+
 /// Colour and depth for pictures of one size.
 pub struct Targets {
     size: [u32; 2],
@@ -52,16 +69,24 @@ impl Targets {
         self.size == size
     }
 
-    /// Begins drawing on a background; at the end the samples of each pixel are averaged into `picture`.
+    /// Begins drawing, the first on a background; at the end of the last the samples of each pixel are
+    /// averaged into `picture`.
     pub fn begin<'a>(
         &self,
         encoder: &'a mut wgpu::CommandEncoder,
         picture: &wgpu::TextureView,
         background: wgpu::Color,
+        turn: Turn,
     ) -> wgpu::RenderPass<'a> {
         let (view, resolve_target, store) = match &self.color {
-            Some(color) => (color, Some(picture), wgpu::StoreOp::Discard),
+            Some(color) if turn.is_last => (color, Some(picture), wgpu::StoreOp::Discard),
+            Some(color) => (color, None, wgpu::StoreOp::Store),
             None => (picture, None, wgpu::StoreOp::Store),
+        };
+        let load = if turn.is_first {
+            wgpu::LoadOp::Clear(background)
+        } else {
+            wgpu::LoadOp::Load
         };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("scene"),
@@ -69,10 +94,7 @@ impl Targets {
                 view,
                 depth_slice: None,
                 resolve_target,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(background),
-                    store,
-                },
+                ops: wgpu::Operations { load, store },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.depth,

@@ -29,6 +29,9 @@ impl Stage {
     /// Picks the body under a line of sight and takes hold of it; whether there is one that
     /// can move.
     pub fn grab(&mut self, sight: Ray) -> bool {
+        if self.beside.is_some() {
+            return false;
+        }
         let moves = |hit: &Hit| !self.session.scene().bodies[hit.body].is_static();
         let Some(Hit { body, distance }) = self.under(sight).filter(moves) else {
             return false;

@@ -36,7 +36,7 @@ impl Stage {
     /// Looks at the picked body and the one under a line of sight; without a picked body, picks
     /// that one.
     pub fn pick_partner(&mut self, sight: Ray) {
-        let Some(hit) = self.under(sight) else {
+        let Some(hit) = self.under(sight).filter(|_| self.beside.is_none()) else {
             return;
         };
         match self.picked {
