@@ -13,6 +13,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::kept::folder_of_book;
 use crate::product::{Known, known};
+use crate::race;
 use crate::{CHAPTER, FindingsError};
 
 /// The command line.
@@ -21,6 +22,10 @@ use crate::{CHAPTER, FindingsError};
 struct Cli {
     #[command(flatten)]
     args: Args,
+    /// Run the scene on two to four engines or methods side by side; or a race of the gallery, by name
+    #[arg(long, value_name = "ENGINE[:METHOD][@SUBSTEPS],…|NAME", help_heading = "How it is simulated",
+          conflicts_with_all = race::NOT_FOR_A_RACE)]
+    race: Option<String>,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -69,7 +74,10 @@ fn report(outcome: Result<(), FindingsError>) -> ExitCode {
 
 fn run(cli: &Cli) -> Result<(), FindingsError> {
     match &cli.command {
-        None => Ok(ch00_shell::run(&CHAPTER, &cli.args)?),
+        None => match &cli.race {
+            Some(contenders) => race::run(contenders, &cli.args),
+            None => Ok(ch00_shell::run_with(&CHAPTER, &cli.args, race::extras())?),
+        },
         Some(Command::Chart(args)) => make_charts(args),
     }
 }

@@ -6,6 +6,8 @@ use ch00_scenes::{LoadError, SceneError};
 use ch00_shell::ShellError;
 use thiserror::Error;
 
+use crate::race::RaceError;
+
 /// Everything that ends the program with exit status 1.
 #[derive(Debug, Error)]
 pub enum FindingsError {
@@ -18,6 +20,9 @@ pub enum FindingsError {
     /// An engine can't take a scene of a chart.
     #[error(transparent)]
     Load(#[from] LoadError),
+    /// The contenders of a race can't be had.
+    #[error(transparent)]
+    Race(#[from] RaceError),
     /// No such chart.
     #[error("there is no chart `{name}`; there are: {known}")]
     UnknownChart {

@@ -21,6 +21,7 @@ pub mod left_out;
 pub mod limbs;
 pub mod mass_ratio;
 pub mod product;
+pub mod race;
 pub mod ragdoll_run;
 pub mod rates;
 pub mod round_trip;

@@ -1,0 +1,185 @@
+//! Races worth seeing: a scene, who takes part, what to watch, and the page of the book that explains it.
+
+/// A race of the gallery.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Setup {
+    /// As `--race` says it.
+    pub name: &'static str,
+    /// Name of a built-in scene.
+    pub scene: &'static str,
+    /// What `--count` is, in a scene that has it.
+    pub count: Option<u64>,
+    /// As `--race` says them.
+    pub contenders: &'static str,
+    /// What to watch, in one sentence.
+    pub watch: &'static str,
+    /// The page of the book, and its title.
+    pub page: (&'static str, &'static str),
+}
+
+const fn setup(
+    name: &'static str,
+    (scene, count): (&'static str, Option<u64>),
+    contenders: &'static str,
+    watch: &'static str,
+    page: (&'static str, &'static str),
+) -> Setup {
+    Setup {
+        name,
+        scene,
+        count,
+        contenders,
+        watch,
+        page,
+    }
+}
+
+const ERRATA: (&str, &str) = ("errata", "Errata");
+const IMPULSES: (&str, &str) = ("ch03_impulses", "Impulses");
+const FRICTION: (&str, &str) = ("ch03_friction", "Friction");
+const LIMITS: (&str, &str) = ("ch03_limits", "What it costs, and where it ends");
+const RAGDOLLS: (&str, &str) = ("ch04_ragdolls", "Ragdolls");
+const TREES: (&str, &str) = ("ch06_ragdolls", "Ragdolls, solved whole");
+const OWN_ROW: (&str, &str) = ("ch06_own_row", "A step in which every row writes itself");
+const LANES: (&str, &str) = ("ch06_lanes", "The same step on lanes and threads");
+
+/// The races, the simplest first.
+pub const GALLERY: &[Setup] = &[
+    setup(
+        "bounce",
+        ("bounce", None),
+        "objects:printed,objects:corrected,lanes",
+        "Without loss the ball should come back to the height that it fell from: after ten seconds one of them doesn't.",
+        IMPULSES,
+    ),
+    setup(
+        "slip_to_roll",
+        ("slip_to_roll", None),
+        "objects:printed,objects:corrected,lanes",
+        "Friction should turn the sliding ball until it rolls, at 5/7 of its speed; the report left friction open, so the printed ball slides on.",
+        FRICTION,
+    ),
+    setup(
+        "oblique",
+        ("oblique", None),
+        "objects:printed,objects:corrected,lanes",
+        "Watch where the balls go after they have met: half of an impulse, shared by mass, loses momentum wherever the masses differ.",
+        ERRATA,
+    ),
+    setup(
+        "cradle",
+        ("cradle", Some(2)),
+        "properties:printed,properties:corrected,lanes:own-row,lanes:coloured",
+        "As many balls should leave as came in: watch whether those in the middle hang still.",
+        RAGDOLLS,
+    ),
+    setup(
+        "balls",
+        ("balls", Some(300)),
+        "objects,properties,lanes:own-row,lanes:coloured",
+        "Objects and properties show the same picture, to the last bit: only their times differ.",
+        ("ch05_engine", "The engine on columns"),
+    ),
+    setup(
+        "stack",
+        ("stack", Some(15)),
+        "properties:printed,properties:corrected,lanes@10,lanes@20",
+        "A tower should stand still: watch how far its cubes sink into each other, and who throws it over.",
+        LIMITS,
+    ),
+    setup(
+        "heavy_on_light",
+        ("heavy_on_light", Some(100)),
+        "properties:printed,properties:corrected,lanes@10,lanes@20",
+        "The heavy cube should rest on one of a hundredth of its mass: watch who squeezes it out, and the overlap of the others.",
+        OWN_ROW,
+    ),
+    setup(
+        "chain",
+        ("chain", Some(40)),
+        "properties:printed,properties:corrected,lanes@10,lanes@16",
+        "Forty links hold a ball of 672 times their mass: watch the widest joint, a metre here and a tenth of a millimetre there.",
+        TREES,
+    ),
+    setup(
+        "tunnelling",
+        ("tunnelling", None),
+        "objects:printed,objects:corrected,lanes",
+        "Balls of 9 to 300 m/s fly at a thin wall: count those behind it.",
+        LIMITS,
+    ),
+    setup(
+        "ragdolls",
+        ("ragdolls", Some(5)),
+        "properties:corrected,lanes:own-row,lanes:coloured,compute",
+        "Ragdolls fall on each other: watch the joints, and what a step costs.",
+        TREES,
+    ),
+    setup(
+        "tops",
+        ("tops", None),
+        "objects:printed,objects:corrected,lanes",
+        "The heavy top should precess and the free ones keep their energy: without the gyroscopic torque they do neither.",
+        ("ch02_rigid_bodies", "Rigid bodies"),
+    ),
+    setup(
+        "pile",
+        ("pile", Some(2000)),
+        "properties,lanes:own-row,lanes:coloured",
+        "Two thousand balls settle: the same bed, and the time of a step is the difference.",
+        LANES,
+    ),
+];
+
+/// The race of this name.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static Setup> {
+    GALLERY.iter().find(|setup| setup.name == name)
+}
+
+/// The names, separated by commas.
+#[must_use]
+pub fn names() -> String {
+    let names: Vec<_> = GALLERY.iter().map(|setup| setup.name).collect();
+    names.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::race::of_gallery;
+
+    #[test]
+    fn every_race_of_the_gallery_can_be_run() {
+        for setup in GALLERY {
+            let mut race = of_gallery(setup).expect(setup.name);
+            race.check_settings().expect(setup.name);
+            race.step_all();
+            race.measure();
+            assert_eq!(race.steps(), 1);
+        }
+    }
+
+    #[test]
+    fn names_are_not_those_of_engines_and_none_stands_twice() {
+        for (i, setup) in GALLERY.iter().enumerate() {
+            assert!(crate::CHAPTER.engine(setup.name).is_err());
+            assert!(GALLERY[..i].iter().all(|other| other.name != setup.name));
+            assert!(setup.watch.ends_with('.') && !setup.watch.contains(". "));
+        }
+    }
+
+    #[test]
+    fn every_page_is_in_the_book_with_this_title() {
+        let pages = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src");
+        for setup in GALLERY {
+            let (page, title) = setup.page;
+            let file = pages.join(page).with_extension("md");
+            let text = std::fs::read_to_string(&file).expect(page);
+            let heading = text.lines().next().unwrap_or_default();
+            assert!(heading.ends_with(title), "{page}: {heading}");
+        }
+    }
+}

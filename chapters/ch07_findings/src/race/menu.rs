@@ -1,0 +1,186 @@
+//! The section of the left panel that starts races: who takes part in the scene that is shown, or a race
+//! of the gallery.
+
+use ch00_scenes::{EngineEntry, Settings};
+use ch00_shell::{Menu, Opening, Session};
+use egui::{ComboBox, RichText, Ui};
+
+use super::contender::{FEWEST, MOST};
+use super::gallery::{GALLERY, Setup};
+use super::panel::what_to_watch;
+use super::{Contender, Race, of_gallery, opening};
+use crate::{CHAPTER, FindingsError};
+
+/// What can be chosen for substeps.
+const SUBSTEPS: [u32; 9] = [1, 2, 4, 8, 10, 16, 20, 32, 64];
+
+/// What its user has chosen so far.
+pub struct RaceMenu {
+    contenders: Vec<Contender>,
+    /// The set-up of the gallery whose text is shown.
+    setup: Option<&'static Setup>,
+    /// Why the last race could not start.
+    why_not: Option<String>,
+}
+
+impl Default for RaceMenu {
+    fn default() -> Self {
+        let engines = CHAPTER.engines.iter().rev().skip(1).take(FEWEST);
+        Self {
+            contenders: engines.map(|entry| Contender::of(*entry)).collect(),
+            setup: None,
+            why_not: None,
+        }
+    }
+}
+
+impl Menu for RaceMenu {
+    fn name(&self) -> &'static str {
+        "Race"
+    }
+
+    fn show(&mut self, ui: &mut Ui, session: &Session) -> Option<Opening> {
+        ui.weak(format!(
+            "{}, on two to four engines or methods:",
+            session.scene().name
+        ));
+        self.choose(ui);
+        let starts = ui.button("Start the race").clicked();
+        ui.add_space(4.0);
+        ui.label(RichText::new("Gallery").strong());
+        let chosen = self.choose_setup(ui);
+        if let Some(why) = &self.why_not {
+            ui.colored_label(ui.visuals().warn_fg_color, why);
+        }
+        let race = match (starts, chosen) {
+            (true, _) => self.race_in(session),
+            (false, Some(setup)) => of_gallery(setup),
+            (false, None) => return None,
+        };
+        self.open(race)
+    }
+}
+
+impl RaceMenu {
+    /// A race in this session's scene, as it started.
+    fn race_in(&self, session: &Session) -> Result<Race, FindingsError> {
+        let scene = session.scene_at_start();
+        Ok(Race::new(scene, self.contenders.clone())?)
+    }
+
+    fn open(&mut self, race: Result<Race, FindingsError>) -> Option<Opening> {
+        let opened = race.and_then(|race| Ok(opening(race)?));
+        match opened {
+            Ok(opening) => {
+                self.why_not = None;
+                Some(opening)
+            }
+            Err(error) => {
+                self.why_not = Some(error.to_string());
+                None
+            }
+        }
+    }
+
+    /// A line a contender, and what adds one or takes one away.
+    fn choose(&mut self, ui: &mut Ui) {
+        let mut removed = None;
+        let can_remove = self.contenders.len() > FEWEST;
+        for (i, contender) in self.contenders.iter_mut().enumerate() {
+            ui.horizontal(|ui| {
+                choose_contender(ui, i, contender);
+                let button = egui::Button::new("–").small();
+                if ui.add_enabled(can_remove, button).clicked() {
+                    removed = Some(i);
+                }
+            });
+        }
+        if let Some(i) = removed {
+            self.contenders.remove(i);
+        }
+        if self.contenders.len() < MOST && ui.small_button("+ contender").clicked() {
+            let last = self.contenders.last().cloned();
+            self.contenders
+                .extend(last.or(Some(Contender::of(CHAPTER.engines[0]))));
+        }
+    }
+
+    /// The gallery; gives the set-up that was chosen.
+    fn choose_setup(&mut self, ui: &mut Ui) -> Option<&'static Setup> {
+        let mut chosen = None;
+        ui.horizontal_wrapped(|ui| {
+            for setup in GALLERY {
+                let is_shown = self.setup == Some(setup);
+                let response = ui.selectable_label(is_shown, setup.name);
+                if response.on_hover_text(setup.watch).clicked() {
+                    chosen = Some(setup);
+                }
+            }
+        });
+        self.setup = chosen.or(self.setup);
+        if let Some(setup) = self.setup {
+            what_to_watch(ui, setup);
+        }
+        chosen
+    }
+}
+
+/// Lists of engines, methods and substeps.
+fn choose_contender(ui: &mut Ui, i: usize, contender: &mut Contender) {
+    let engines = CHAPTER.engines.iter();
+    let entry = choose(
+        ui,
+        ("engine", i),
+        88.0,
+        contender.entry.name,
+        engines,
+        |entry| entry.name,
+    );
+    if let Some(entry) = entry {
+        *contender = Contender::of(*entry);
+    }
+    let EngineEntry { methods, .. } = contender.entry;
+    let Settings {
+        method, substeps, ..
+    } = &mut contender.settings;
+    let now = method.clone().unwrap_or_else(|| methods[0].name.to_owned());
+    if let Some(chosen) = choose(ui, ("method", i), 84.0, &now, methods, |method| method.name) {
+        *method = Some(chosen.name.to_owned());
+    }
+    let now = substeps.map_or_else(|| "@".to_owned(), |substeps| format!("@{substeps}"));
+    ComboBox::from_id_salt(("substeps", i))
+        .width(36.0)
+        .selected_text(now)
+        .show_ui(ui, |ui| {
+            ui.selectable_value(substeps, None, "as the method has them");
+            for count in SUBSTEPS {
+                ui.selectable_value(substeps, Some(count), format!("@{count} substeps"));
+            }
+        })
+        .response
+        .on_hover_text("substeps; without a number, as the method has them");
+}
+
+/// A list; gives what was chosen, if something was.
+fn choose<'a, T>(
+    ui: &mut Ui,
+    id: (&str, usize),
+    width: f32,
+    now: &str,
+    choices: impl IntoIterator<Item = &'a T>,
+    name: impl Fn(&T) -> &'static str,
+) -> Option<&'a T> {
+    let mut chosen = None;
+    ComboBox::from_id_salt(id)
+        .width(width)
+        .selected_text(now)
+        .show_ui(ui, |ui| {
+            for choice in choices {
+                let name = name(choice);
+                if ui.selectable_label(name == now, name).clicked() && name != now {
+                    chosen = Some(choice);
+                }
+            }
+        });
+    chosen
+}
