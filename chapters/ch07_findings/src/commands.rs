@@ -117,7 +117,7 @@ fn make_charts(args: &ChartArgs) -> Result<(), FindingsError> {
     for chart in charts {
         let start = Instant::now();
         eprintln!("{} …", chart.name);
-        let product = chart.make(args.quick, &mut |text| eprintln!("  {text}"))?;
+        let product = chart.make(args.quick, &folder, &mut |text| eprintln!("  {text}"))?;
         if let Some(page) = &product.page {
             print(page, &folder)?;
         }

@@ -69,6 +69,14 @@ pub enum FindingsError {
         /// What writes it.
         command: &'static str,
     },
+    /// The laboratory's table holds something else.
+    #[error("{}, line {line}: this is no line of the laboratory's table; move the file away to begin a new one", path.display())]
+    Store {
+        /// The file.
+        path: PathBuf,
+        /// Number of the line, from 1.
+        line: usize,
+    },
     /// The report's table can't be read.
     #[error("report_tables.csv, line {line}: `{text}` is no row of the report's tables")]
     Report {

@@ -16,16 +16,19 @@ pub mod friction;
 pub mod integrate;
 mod kept;
 mod lab;
+pub mod laboratory;
 pub mod lanes_roofline;
 pub mod left_out;
 pub mod limbs;
 pub mod mass_ratio;
+pub mod methods;
 pub mod product;
 pub mod race;
 pub mod ragdoll_run;
 pub mod rates;
 pub mod round_trip;
 pub mod stack;
+pub mod substeps_on_the_gpu;
 pub mod sweeps;
 mod table;
 pub mod table1;
@@ -47,6 +50,7 @@ pub const CHAPTER: Chapter = Chapter {
         ch05_properties::ENGINE,
         ch06_compute::LANES,
         ch06_compute::COMPUTE,
+        methods::double::engine::ENGINE,
     ],
     default_scene: "balls",
     scenes: ch00_scenes::builtin::NAMES,

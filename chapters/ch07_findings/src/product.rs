@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 
 use crate::chart::{Chart, Picture};
 use crate::errata::ERRATA;
+use crate::laboratory::{self, SCENARIOS, Scenario};
 use crate::{
     FindingsError, architecture_method_hardware, balls_on_the_gpu, bounce, broad_phase, chain,
     columns, draw, friction, integrate, lanes_roofline, left_out, limbs, mass_ratio, ragdoll_run,
-    round_trip, stack, sweeps, table1, table2, tunnelling,
+    round_trip, stack, substeps_on_the_gpu, sweeps, table1, table2, tunnelling,
 };
 
 /// Where a measurement tells how far it is.
@@ -27,7 +28,7 @@ pub struct Product {
 }
 
 /// A chart that can be asked for.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Known {
     /// As `chart NAME` says it.
     pub name: String,
@@ -36,17 +37,19 @@ pub struct Known {
     make: Make,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 enum Make {
     Measure(Measure),
     Calculate(fn() -> Chart),
+    Laboratory,
+    Scenario(&'static Scenario),
 }
 
 /// A chart's measurement; `true` leaves out what takes long.
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 19] = [
+const MEASURED: [(&str, &str, Measure); 20] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -138,6 +141,11 @@ const MEASURED: [(&str, &str, Measure); 19] = [
         balls_on_the_gpu::product,
     ),
     (
+        "substeps_on_the_gpu",
+        "what a substep costs on the GPU and what it buys, from a table kept in the book",
+        substeps_on_the_gpu::product,
+    ),
+    (
         "lanes_roofline",
         "what a thread can do, and how near to it lanes come, from a table kept in the book",
         lanes_roofline::product,
@@ -157,16 +165,34 @@ pub fn known() -> Vec<Known> {
         about: erratum.title,
         make: Make::Calculate(erratum.chart),
     });
-    measured.chain(errata).collect()
+    let all = Known {
+        name: "laboratory".to_owned(),
+        about: "every scenario by every method: work against precision; goes on with the folder's laboratory.csv",
+        make: Make::Laboratory,
+    };
+    let scenarios = SCENARIOS.iter().map(|scenario| Known {
+        name: format!("scenario_{}", scenario.name),
+        about: scenario.title,
+        make: Make::Scenario(scenario),
+    });
+    measured
+        .chain(errata)
+        .chain([all])
+        .chain(scenarios)
+        .collect()
 }
 
 impl Known {
-    /// Measures it; `quick` leaves out what takes long.
+    /// Measures it; `quick` leaves out what takes long. The laboratory keeps its table in `folder`.
     ///
     /// # Errors
     /// [`FindingsError`] where a scene can't be loaded.
-    pub fn make(&self, quick: bool, say: Say) -> Result<Product, FindingsError> {
+    pub fn make(&self, quick: bool, folder: &Path, say: Say) -> Result<Product, FindingsError> {
         match self.make {
+            Make::Laboratory => laboratory::charts::product(quick, folder, say),
+            Make::Scenario(scenario) => {
+                laboratory::charts::product_of(scenario, quick, folder, say)
+            }
             Make::Measure(measure) => measure(quick, say),
             Make::Calculate(calculate) => Ok(Product::of(calculate())),
         }

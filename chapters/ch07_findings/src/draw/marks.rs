@@ -15,18 +15,28 @@ enum Shape {
     Diamond,
     Down,
     Cross,
+    Plus,
+    Ring,
 }
 
 /// Radius of a disc, pixels; the other shapes look as large.
 const RADIUS: f64 = 4.0;
 
 /// Colours and shapes of what is neither printed nor corrected, in turn.
-const OTHERS: [(Ink, Shape); 5] = [
+const OTHERS: [(Ink, Shape); 13] = [
     (Ink::full((0x00, 0x9E, 0x73)), Shape::Triangle),
     (Ink::full((0xCC, 0x79, 0xA7)), Shape::Diamond),
     (Ink::full((0xC8, 0x88, 0x00)), Shape::Down),
     (Ink::full((0x3E, 0x9F, 0xD8)), Shape::Cross),
     (Ink::full((0x9A, 0x8F, 0x1A)), Shape::Triangle),
+    (Ink::full((0x80, 0x80, 0x80)), Shape::Plus),
+    (Ink::full((0x7A, 0x52, 0xA3)), Shape::Disc),
+    (Ink::full((0xA6, 0x56, 0x28)), Shape::Diamond),
+    (Ink::full((0x4F, 0x7F, 0x6B)), Shape::Square),
+    (Ink::full((0xC2, 0x3B, 0x5E)), Shape::Cross),
+    (GREY, Shape::Ring),
+    (Ink::full((0x00, 0x6B, 0x52)), Shape::Plus),
+    (Ink::full((0x9C, 0x4A, 0x7C)), Shape::Plus),
 ];
 
 /// The colours of a bar's parts, in order: neighbours are light and dark in turn.
@@ -114,6 +124,11 @@ pub fn mark(canvas: &mut Canvas, style: Style, at: Point) -> Drawn {
         Shape::Triangle => canvas.polygon(&corners(&TRIANGLE), ink),
         Shape::Down => canvas.polygon(&corners(&TRIANGLE.map(|(x, y)| (x, -y))), ink),
         Shape::Diamond => canvas.polygon(&corners(&DIAMOND), ink),
+        Shape::Plus => {
+            canvas.line(&corners(&[(-1.2, 0.0), (1.2, 0.0)]), ink, 2.2)?;
+            canvas.line(&corners(&[(0.0, -1.2), (0.0, 1.2)]), ink, 2.2)
+        }
+        Shape::Ring => canvas.line(&corners(&RING), ink, 1.3),
         Shape::Cross => {
             canvas.line(&corners(&[(-0.95, -0.95), (0.95, 0.95)]), ink, 2.2)?;
             canvas.line(&corners(&[(-0.95, 0.95), (0.95, -0.95)]), ink, 2.2)
@@ -123,4 +138,15 @@ pub fn mark(canvas: &mut Canvas, style: Style, at: Point) -> Drawn {
 
 const SQUARE: [Point; 4] = [(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)];
 const TRIANGLE: [Point; 3] = [(0.0, -1.25), (1.15, 0.8), (-1.15, 0.8)];
+const RING: [Point; 9] = [
+    (1.9, 0.0),
+    (1.34, 1.34),
+    (0.0, 1.9),
+    (-1.34, 1.34),
+    (-1.9, 0.0),
+    (-1.34, -1.34),
+    (0.0, -1.9),
+    (1.34, -1.34),
+    (1.9, 0.0),
+];
 const DIAMOND: [Point; 4] = [(0.0, -1.35), (1.15, 0.0), (0.0, 1.35), (-1.15, 0.0)];

@@ -1,0 +1,440 @@
+//! What the laboratory shows: work against precision and error against rate of each scenario, what one per
+//! cent costs, and a table of all at 60 Hz.
+
+use std::path::Path;
+use std::time::Instant;
+
+use super::cell::{Cell, End};
+use super::contenders::{CONTENDERS, Contender};
+use super::runs::measure;
+use super::scenario::Scenario;
+use super::scenarios::SCENARIOS;
+use super::store::Store;
+use crate::FindingsError;
+use crate::chart::{Axis, Bar, Bars, Chart, Group, Picture, Series, Style};
+use crate::product::{Product, Say};
+use crate::table::{Table, three_digits};
+
+/// The rate at which methods are compared in the table, 1/s.
+const USUAL: u32 = 60;
+/// Rates that are tried in a hurry, 1/s.
+const QUICK_RATES: [u32; 2] = [60, 240];
+/// Integrators of bodies that are alone come after these.
+const SOLVERS: usize = 9;
+
+/// All scenarios: every cell that is not in the folder's table yet is measured, then all is drawn.
+///
+/// # Errors
+/// [`FindingsError`] where a scene can't be built, or the table can't be read or written.
+pub fn product(quick: bool, folder: &Path, say: Say) -> Result<Product, FindingsError> {
+    let store = measured(SCENARIOS, quick, folder, say)?;
+    let mut charts = vec![cost(&store.cells).into()];
+    for scenario in SCENARIOS {
+        charts.extend(pictures(scenario, &store.cells));
+    }
+    Ok(Product {
+        charts,
+        csv: costs_csv(&store.cells),
+        page: Some(tables(&store.cells)),
+    })
+}
+
+/// One scenario.
+///
+/// # Errors
+/// As [`product`].
+pub fn product_of(
+    scenario: &'static Scenario,
+    quick: bool,
+    folder: &Path,
+    say: Say,
+) -> Result<Product, FindingsError> {
+    let store = measured(std::slice::from_ref(scenario), quick, folder, say)?;
+    let cells: Vec<Cell> = of(&store.cells, scenario.name).cloned().collect();
+    let lines: Vec<String> = cells.iter().map(Cell::line).collect();
+    Ok(Product {
+        charts: pictures(scenario, &cells).into(),
+        csv: format!("{}\n{}\n", super::cell::HEADINGS, lines.join("\n")),
+        page: Some(page(scenario, &cells)),
+    })
+}
+
+fn rates(scenario: &Scenario, quick: bool) -> Vec<u32> {
+    let tried = |rate: &u32| !quick || QUICK_RATES.contains(rate);
+    scenario.rates.iter().copied().filter(tried).collect()
+}
+
+// ANCHOR: measured
+/// Measures what the table lacks, a line at a time; what it has, it keeps.
+fn measured(
+    scenarios: &[Scenario],
+    quick: bool,
+    folder: &Path,
+    say: Say,
+) -> Result<Store, FindingsError> {
+    let name = if quick {
+        "laboratory_quick.csv"
+    } else {
+        "laboratory.csv"
+    };
+    let mut store = Store::open(&folder.join(name))?;
+    let mut missing = Vec::new();
+    for scenario in scenarios {
+        for contender in &CONTENDERS {
+            for rate in rates(scenario, quick) {
+                if !store.has((scenario.name, contender.name, rate)) {
+                    missing.push((scenario, contender, rate));
+                }
+            }
+        }
+    }
+    let start = Instant::now();
+    for (done, (scenario, contender, rate)) in missing.iter().enumerate() {
+        let cell = measure(scenario, contender, *rate, quick)?;
+        say(&progress(
+            &cell,
+            done + 1,
+            missing.len(),
+            start.elapsed().as_secs_f64(),
+        ));
+        store.add(cell)?;
+    }
+    Ok(store)
+}
+// ANCHOR_END: measured
+
+fn progress(cell: &Cell, done: usize, all: usize, seconds: f64) -> String {
+    let left = seconds / done as f64 * (all - done) as f64;
+    let end = match &cell.end {
+        End::Measured => three_digits(cell.error),
+        End::Failed(how) => how.clone(),
+        End::Cannot(_) => "cannot".to_owned(),
+    };
+    format!(
+        "{done} of {all}, {left:.0} s left: {} by {} at {} Hz: {end}",
+        cell.scenario, cell.contender, cell.rate
+    )
+}
+
+fn of<'a>(cells: &'a [Cell], scenario: &'a str) -> impl Iterator<Item = &'a Cell> {
+    cells.iter().filter(move |cell| cell.scenario == scenario)
+}
+
+/// The cells of a contender, by rate; none of what it can't do.
+fn by<'a>(cells: &'a [Cell], scenario: &'a str, contender: &Contender) -> Vec<&'a Cell> {
+    let name = contender.name;
+    let same = |cell: &&Cell| cell.contender == name && !matches!(cell.end, End::Cannot(_));
+    let mut cells: Vec<_> = of(cells, scenario).filter(same).collect();
+    cells.sort_by_key(|cell| cell.rate);
+    cells
+}
+
+fn at<'a>(cells: &'a [Cell], scenario: &str, contender: &str, rate: u32) -> Option<&'a Cell> {
+    cells
+        .iter()
+        .find(|cell| cell.key() == (scenario, contender, rate))
+}
+
+/// Names of charts live as long as the program.
+fn name(scenario: &Scenario, kind: &str) -> &'static str {
+    Box::leak(format!("scenario_{}{kind}", scenario.name).into_boxed_str())
+}
+
+fn error_axis(scenario: &Scenario) -> Axis {
+    let unit = match scenario.unit {
+        "" => "share of 1",
+        unit => unit,
+    };
+    Axis::log(&format!("error ({unit})")).lost("failed")
+}
+
+fn title(scenario: &Scenario, what: &str) -> String {
+    format!("{}. {}: {what}", scenario.number, scenario.title)
+}
+
+fn pictures(scenario: &Scenario, cells: &[Cell]) -> [Picture; 2] {
+    [
+        work_precision(scenario, cells).into(),
+        against_rate(scenario, cells).into(),
+    ]
+}
+
+// ANCHOR: work_precision
+/// A curve a method, a mark a rate; the dashed line goes along those that nobody beats in both.
+fn work_precision(scenario: &Scenario, cells: &[Cell]) -> Chart {
+    let mut series: Vec<Series> = CONTENDERS
+        .iter()
+        .map(|contender| {
+            let cells = by(cells, scenario.name, contender);
+            let points = cells.iter().map(|cell| (cell.cost, cell.drawn()));
+            Series::new(contender.name, contender.style, points)
+        })
+        .filter(|series| !series.points.is_empty())
+        .collect();
+    let at_usual = of(cells, scenario.name).filter(|cell| cell.rate == USUAL);
+    let at_usual = at_usual.filter(|cell| cell.is_measured());
+    let usual = at_usual.map(|cell| (cell.cost, cell.error));
+    series.push(Series::new("at 60 Hz", Style::Marks(10), usual));
+    series.push(Series::new(
+        "nothing is cheaper and better",
+        Style::Theory,
+        front(of(cells, scenario.name)),
+    ));
+    Chart {
+        name: name(scenario, ""),
+        title: title(scenario, scenario.error),
+        x: Axis::log("processor time for a second of the scene (s)"),
+        y: error_axis(scenario),
+        series,
+    }
+}
+
+/// Cost and error of those cells that are better than all that are cheaper.
+fn front<'a>(cells: impl Iterator<Item = &'a Cell>) -> Vec<(f64, f64)> {
+    let mut all: Vec<_> = cells
+        .filter(|cell| cell.is_measured())
+        .map(|cell| (cell.cost, cell.error))
+        .collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut best = f64::INFINITY;
+    all.retain(|&(_, error)| {
+        let better = error < best;
+        best = best.min(error);
+        better
+    });
+    all
+}
+// ANCHOR_END: work_precision
+
+fn against_rate(scenario: &Scenario, cells: &[Cell]) -> Chart {
+    let mut series: Vec<Series> = CONTENDERS
+        .iter()
+        .map(|contender| {
+            let cells = by(cells, scenario.name, contender);
+            let points = cells
+                .iter()
+                .map(|cell| (f64::from(cell.rate), cell.drawn()));
+            Series::new(contender.name, contender.style, points)
+        })
+        .filter(|series| !series.points.is_empty())
+        .collect();
+    let ends = [scenario.rates[0], scenario.rates[scenario.rates.len() - 1]].map(f64::from);
+    series.push(Series::of(
+        "to reach at 60 Hz",
+        Style::Theory,
+        &ends,
+        |_| scenario.pass,
+    ));
+    Chart {
+        name: name(scenario, "_rates"),
+        title: title(scenario, scenario.error),
+        x: Axis::log("steps a second (1/s)"),
+        y: error_axis(scenario),
+        series,
+    }
+}
+
+/// What the cheapest run of a contender costs that errs by one per cent at most, s/s.
+fn cost_of_one_percent(cells: &[Cell], scenario: &Scenario, contender: &Contender) -> Option<f64> {
+    let good = |cell: &&&Cell| cell.is_measured() && cell.error <= scenario.one_percent;
+    let cells = by(cells, scenario.name, contender);
+    let costs = cells.iter().filter(good).map(|cell| cell.cost);
+    costs.min_by(f64::total_cmp)
+}
+
+fn cost(cells: &[Cell]) -> Bars {
+    let group = |scenario: &Scenario| Group {
+        name: format!("{}. {}", scenario.number, scenario.title),
+        bars: CONTENDERS
+            .iter()
+            .filter(|contender| !by(cells, scenario.name, contender).is_empty())
+            .map(|contender| {
+                let cost = cost_of_one_percent(cells, scenario, contender);
+                Bar {
+                    name: contender.name.to_owned(),
+                    lengths: vec![cost.map_or(0.0, |cost| (1e6 * cost).log10().max(0.0))],
+                    spread: None,
+                    note: cost.map_or("never".to_owned(), |cost| three_digits(1e6 * cost)),
+                }
+            })
+            .collect(),
+    };
+    Bars {
+        name: "laboratory_costs",
+        title:
+            "What an error of one per cent costs: µs of processor time for a second of the scene"
+                .to_owned(),
+        label: "powers of ten (µs)".to_owned(),
+        parts: vec!["cheapest run within one per cent"],
+        groups: SCENARIOS.iter().map(group).collect(),
+    }
+}
+
+fn costs_csv(cells: &[Cell]) -> String {
+    let mut text = "scenario,contender,one per cent,unit,CPU time (s/s)\n".to_owned();
+    for scenario in SCENARIOS {
+        for contender in &CONTENDERS {
+            let cost = cost_of_one_percent(cells, scenario, contender);
+            let cost = cost.map_or("never".to_owned(), |cost| format!("{cost:e}"));
+            text += &format!(
+                "{},{},{},{},{cost}\n",
+                scenario.name, contender.name, scenario.one_percent, scenario.unit
+            );
+        }
+    }
+    text
+}
+
+/// How a cell stands in a table.
+fn told(cell: Option<&Cell>, pass: f64) -> String {
+    match cell {
+        None => String::new(),
+        Some(cell) => match &cell.end {
+            End::Cannot(_) => "–".to_owned(),
+            End::Failed(how) => how.clone(),
+            End::Measured if cell.error <= pass => format!("**{}**", three_digits(cell.error)),
+            End::Measured => three_digits(cell.error),
+        },
+    }
+}
+
+fn tables(cells: &[Cell]) -> String {
+    let (solvers, alone) = CONTENDERS.split_at(SOLVERS);
+    let free = |scenario: &&Scenario| {
+        let any = |contender: &Contender| !by(cells, scenario.name, contender).is_empty();
+        alone.iter().any(any)
+    };
+    let all: Vec<&Scenario> = SCENARIOS.iter().collect();
+    let free: Vec<&Scenario> = SCENARIOS.iter().filter(free).collect();
+    format!(
+        "{}\nBodies that are alone, by the usual integrators:\n\n{}",
+        table(cells, &all, solvers),
+        table(cells, &free, alone)
+    )
+}
+
+fn table(cells: &[Cell], scenarios: &[&Scenario], contenders: &[Contender]) -> String {
+    let names = contenders.iter().map(|contender| contender.name);
+    let headings: Vec<&str> = ["scenario at 60 Hz", "to reach"]
+        .into_iter()
+        .chain(names)
+        .collect();
+    let mut table = Table::new(&headings);
+    for scenario in scenarios {
+        let reach = format!("{} {}", three_digits(scenario.pass), scenario.unit);
+        let mut row = vec![format!("{}. {}", scenario.number, scenario.title), reach];
+        row.extend(contenders.iter().map(|contender| {
+            told(
+                at(cells, scenario.name, contender.name, USUAL),
+                scenario.pass,
+            )
+        }));
+        table.push(row);
+    }
+    table.markdown(1)
+}
+
+fn page(scenario: &Scenario, cells: &[Cell]) -> String {
+    let mut table = Table::new(&[
+        "method",
+        "Hz",
+        "substeps",
+        "sweeps",
+        "error",
+        "µs a second",
+        "",
+    ]);
+    for contender in &CONTENDERS {
+        for cell in by(cells, scenario.name, contender) {
+            table.push(vec![
+                cell.contender.clone(),
+                cell.rate.to_string(),
+                cell.substeps.to_string(),
+                if cell.sweeps == 0 {
+                    String::new()
+                } else {
+                    cell.sweeps.to_string()
+                },
+                three_digits(cell.error),
+                three_digits(1e6 * cell.cost),
+                match &cell.end {
+                    End::Failed(how) => how.clone(),
+                    _ => String::new(),
+                },
+            ]);
+        }
+    }
+    table.markdown(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cell(contender: &str, rate: u32, cost: f64, error: f64) -> Cell {
+        Cell {
+            scenario: "free_top".to_owned(),
+            contender: contender.to_owned(),
+            rate,
+            substeps: 1,
+            sweeps: 0,
+            error,
+            cost,
+            runs: 1,
+            end: if error.is_finite() {
+                End::Measured
+            } else {
+                End::Failed("lost".to_owned())
+            },
+        }
+    }
+
+    #[test]
+    fn the_front_has_those_that_nobody_beats_in_both() {
+        let cells = [
+            cell("splitting", 60, 1.0, 0.5),
+            cell("splitting", 120, 2.0, 0.1),
+            cell("runge-kutta", 60, 1.5, 0.7),
+            cell("runge-kutta", 120, 3.0, f64::INFINITY),
+            cell("runge-kutta", 240, 4.0, 0.01),
+        ];
+        assert_eq!(front(cells.iter()), [(1.0, 0.5), (2.0, 0.1), (4.0, 0.01)]);
+    }
+
+    #[test]
+    fn what_never_errs_by_so_little_costs_nothing_that_could_be_told() {
+        let cells = [
+            cell("splitting", 60, 1.0, 0.5),
+            cell("splitting", 120, 2.0, 0.001),
+        ];
+        let scenario = SCENARIOS
+            .iter()
+            .find(|known| known.name == "free_top")
+            .expect("4");
+        let by_name = |name| {
+            CONTENDERS
+                .iter()
+                .find(|known| known.name == name)
+                .expect("known")
+        };
+        let cost = |name| cost_of_one_percent(&cells, scenario, by_name(name));
+        assert_eq!(cost("splitting"), Some(2.0));
+        assert_eq!(cost("runge-kutta"), None);
+    }
+
+    #[test]
+    fn failures_stay_in_the_chart() {
+        let scenario = SCENARIOS
+            .iter()
+            .find(|known| known.name == "free_top")
+            .expect("4");
+        let cells = [cell("splitting", 60, 1.0, f64::INFINITY)];
+        let chart = work_precision(scenario, &cells);
+        let drawn: Vec<_> = chart
+            .series
+            .iter()
+            .flat_map(|series| &series.points)
+            .collect();
+        assert_eq!(drawn, [&(1.0, f64::INFINITY)]);
+    }
+}

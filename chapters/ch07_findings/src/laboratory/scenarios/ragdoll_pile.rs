@@ -1,0 +1,80 @@
+//! 24: three ragdolls fall on each other, in steps down to ten a second.
+
+use ch00_scenes::measures::{Conserved, joint_separation};
+use ch00_scenes::{Scene, State, builtin};
+
+use crate::lab::Moment;
+use crate::laboratory::scenario::{Scenario, Verdict, Watch, timed};
+
+const SECONDS: f64 = 10.0;
+
+pub const SCENARIO: Scenario = Scenario {
+    number: 24,
+    name: "ragdoll_pile",
+    title: "Three ragdolls fall on each other",
+    watch: "At low rates joints part, limbs are swung round, and energy comes from nowhere.",
+    error: "widest joint in the last second",
+    unit: "m",
+    one_percent: 0.0183,
+    pass: 0.02,
+    rates: &[10, 15, 30, 60, 120, 240],
+    scenes: |rate, quick| {
+        let scenes = (1..=if quick { 1 } else { 3 }).map(|seed| {
+            let scene = builtin::build("ragdolls", Some(3), Some(seed))?;
+            Ok(timed(scene, rate, SECONDS))
+        });
+        scenes.collect()
+    },
+    watcher: |scene| Box::new(Survival::of(scene)),
+    steps: None,
+    page: "ch04_ragdolls",
+};
+
+struct Survival {
+    scene: Scene,
+    /// At the start, J.
+    energy: f64,
+    widest: f64,
+    failed: Option<&'static str>,
+}
+
+impl Survival {
+    fn of(scene: &Scene) -> Self {
+        Self {
+            energy: energy(scene, &State::start_of(scene)),
+            scene: scene.clone(),
+            widest: 0.0,
+            failed: None,
+        }
+    }
+}
+
+fn energy(scene: &Scene, state: &State) -> f64 {
+    Conserved::of(scene, state).energy()
+}
+
+impl Watch for Survival {
+    fn see(&mut self, now: &Moment) {
+        let apart = joint_separation(&self.scene, now.state).unwrap_or(0.0);
+        if apart > 0.18 {
+            self.failed.get_or_insert("torn");
+        }
+        if energy(&self.scene, now.state) > self.energy + 1.0 {
+            self.failed.get_or_insert("gained energy");
+        }
+        if now.time > SECONDS - 1.0 {
+            self.widest = self.widest.max(apart);
+        }
+        let out = ch00_scenes::measures::escaped(&self.scene, now.state);
+        if out.is_some_and(|out| out > 0) && now.time > SECONDS - 1.0 {
+            self.failed.get_or_insert("escaped");
+        }
+    }
+
+    fn verdict(&self) -> Verdict {
+        Verdict {
+            error: self.widest,
+            failed: self.failed,
+        }
+    }
+}
