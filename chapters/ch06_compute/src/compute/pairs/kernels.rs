@@ -78,72 +78,33 @@ impl PairKernels {
     /// # Errors
     /// [`StreamError::Kernel`].
     pub fn of(gpu: &Gpu, plan: &Plan) -> Result<Self, StreamError> {
-        let make = |name, file: &str, entry: &str, last: bool| {
-            kernel(gpu, name, file, entry, &constants(plan, last))
-        };
-        let both = |name, entry| -> Result<_, StreamError> {
-            let make = |last| make(name, "ch06_pair_advance", entry, last);
-            Ok([make(false)?, make(true)?])
-        };
-        let solve = |last| -> Result<Sided, StreamError> {
-            Sided::of(
-                &make("solve", "ch06_pair_solve", "pair_solve", last)?,
-                name_solve,
-            )
-        };
-        let meet = |(slot, &kind): (usize, &u32)| {
-            let mut all = constants(plan, false);
-            all.extend([("PAIR_KIND", f64::from(kind)), ("SLOT", slot as f64)]);
-            let text = with_spots(&source("ch06_pair_meet")?, MOST_SPOTS[kind as usize]);
-            let kernel = compiled(gpu, "meet", &text, "pair_meet", &all)?;
-            Sided::of(&kernel, name_meet)
-        };
-        let restore = || -> Result<_, StreamError> {
-            let restore = make("restore", "ch06_pair_solve", "pair_restore", true)?;
-            let rebound = make("rebound", "ch06_pair_advance", "pair_rebound", true)?;
-            Ok((Sided::of(&restore, name_solve)?, rebound))
-        };
+        let make = Making { gpu, plan };
         let scan = |names| Scanning::of(gpu, names);
-        let large = || make("large", "ch06_pair_large", "pair_large", false);
+        let lists = |kernel: Kernel| Sided::of(&kernel, name_lists);
         Ok(Self {
-            cells: make("cells", "ch06_pair_cells", "pair_cells", false)?,
+            cells: make.kernel("cells", "ch06_pair_cells", "pair_cells")?,
             scan_cells: scan(["cell_scan", "counts", "starts"])?,
-            scatter: make("scatter", "ch06_pair_sort", "pair_scatter", false)?,
-            sort: make("sort", "ch06_pair_sort", "pair_sort", false)?,
-            find: Sided::of(
-                &make("find", "ch06_pair_find", "pair_find", false)?,
-                name_lists,
-            )?,
+            scatter: make.kernel("scatter", "ch06_pair_sort", "pair_scatter")?,
+            sort: make.kernel("sort", "ch06_pair_sort", "pair_sort")?,
+            find: lists(make.kernel("find", "ch06_pair_find", "pair_find")?)?,
             scan_pairs: scan(["pair_scan", "pair_counts", "pair_starts"])?,
-            plan: make("plan", "ch06_pair_list", "pair_plan", false)?,
-            list: Sided::of(
-                &make("list", "ch06_pair_list", "pair_list", false)?,
-                name_lists,
-            )?,
-            meet: plan
-                .kinds
-                .iter()
-                .enumerate()
-                .map(meet)
-                .collect::<Result<_, _>>()?,
-            large: some(!plan.larges.is_empty(), large)?,
-            start: Sided::of(
-                &make("start", "ch06_pair_start", "pair_start", false)?,
-                name_lists,
-            )?,
-            loops: some(plan.joints.loops > 0, || {
-                let loops = make("loops", "ch06_loops", "solve_loops", false)?;
-                loops.renamed(&[("loop_presses", "presses")])
+            plan: make.kernel("plan", "ch06_pair_list", "pair_plan")?,
+            list: lists(make.kernel("list", "ch06_pair_list", "pair_list")?)?,
+            meet: make.meet()?,
+            large: some(!plan.larges.is_empty(), || {
+                make.kernel("large", "ch06_pair_large", "pair_large")
             })?,
-            solve: solve(false)?,
-            solve_last: solve(true)?,
-            advance: some(plan.loose, || both("advance", "pair_advance"))?,
-            trees: some(plan.joints.any, || both("trees", "pair_trees"))?,
-            restore: some(plan.bounces, restore)?,
+            start: lists(make.kernel("start", "ch06_pair_start", "pair_start")?)?,
+            loops: some(plan.joints.loops > 0, || make.loops())?,
+            solve: make.solve(false)?,
+            solve_last: make.solve(true)?,
+            advance: some(plan.loose, || make.advance("advance", "pair_advance"))?,
+            trees: some(plan.joints.any, || make.advance("trees", "pair_trees"))?,
+            restore: some(plan.bounces, || make.restore())?,
             kick: some(plan.poles > 0, || {
-                make("kick", "ch06_pair_kick", "pair_kick", false)
+                make.kernel("kick", "ch06_pair_kick", "pair_kick")
             })?,
-            state: make("state", "ch06_pair_state", "pair_state", false)?,
+            state: make.kernel("state", "ch06_pair_state", "pair_state")?,
         })
     }
 
@@ -252,6 +213,73 @@ impl PairKernels {
     }
 }
 
+/// Compiles kernels for a plan.
+struct Making<'a> {
+    gpu: &'a Gpu,
+    plan: &'a Plan,
+}
+
+impl Making<'_> {
+    /// An entry point of a shader.
+    fn kernel(&self, name: &'static str, file: &str, entry: &str) -> Result<Kernel, StreamError> {
+        self.in_substep(name, file, entry, false)
+    }
+
+    /// The same for the last substep, or for those before it.
+    fn in_substep(
+        &self,
+        name: &'static str,
+        file: &str,
+        entry: &str,
+        last: bool,
+    ) -> Result<Kernel, StreamError> {
+        compiled(
+            self.gpu,
+            name,
+            &source(file)?,
+            entry,
+            &constants(self.plan, last),
+        )
+    }
+
+    /// The narrow phase of each kind of pair.
+    fn meet(&self) -> Result<Vec<Sided>, StreamError> {
+        let text = source("ch06_pair_meet")?;
+        let of_kind = |(slot, &kind): (usize, &u32)| {
+            let mut all = constants(self.plan, false);
+            all.extend([("PAIR_KIND", f64::from(kind)), ("SLOT", slot as f64)]);
+            let text = with_spots(&text, MOST_SPOTS[kind as usize]);
+            let kernel = compiled(self.gpu, "meet", &text, "pair_meet", &all)?;
+            Sided::of(&kernel, name_meet)
+        };
+        self.plan.kinds.iter().enumerate().map(of_kind).collect()
+    }
+
+    fn solve(&self, last: bool) -> Result<Sided, StreamError> {
+        let solve = self.in_substep("solve", "ch06_pair_solve", "pair_solve", last)?;
+        Sided::of(&solve, name_solve)
+    }
+
+    /// Joints that close loops.
+    fn loops(&self) -> Result<Kernel, StreamError> {
+        let loops = self.kernel("loops", "ch06_loops", "solve_loops")?;
+        loops.renamed(&[("loop_presses", "presses")])
+    }
+
+    /// What moves bodies, in a substep and in the last.
+    fn advance(&self, name: &'static str, entry: &str) -> Result<[Kernel; 2], StreamError> {
+        let make = |last| self.in_substep(name, "ch06_pair_advance", entry, last);
+        Ok([make(false)?, make(true)?])
+    }
+
+    /// Restitution, at the end of a step: by pair, and by body.
+    fn restore(&self) -> Result<(Sided, Kernel), StreamError> {
+        let restore = self.in_substep("restore", "ch06_pair_solve", "pair_restore", true)?;
+        let rebound = self.in_substep("rebound", "ch06_pair_advance", "pair_rebound", true)?;
+        Ok((Sided::of(&restore, name_solve)?, rebound))
+    }
+}
+
 /// Something that a plan has or not.
 fn some<T>(has: bool, make: impl Fn() -> Result<T, StreamError>) -> Result<Option<T>, StreamError> {
     if has { make().map(Some) } else { Ok(None) }
@@ -283,17 +311,6 @@ fn with_spots(text: &str, most: usize) -> String {
         "const MOST_SPOTS: u32 = 20u;",
         &format!("const MOST_SPOTS: u32 = {most}u;"),
     )
-}
-
-/// Compiles an entry point of a shader.
-fn kernel(
-    gpu: &Gpu,
-    name: &'static str,
-    file: &str,
-    entry: &str,
-    constants: &[(&'static str, f64)],
-) -> Result<Kernel, StreamError> {
-    compiled(gpu, name, &source(file)?, entry, constants)
 }
 
 /// Compiles an entry point with those of the constants that its text has.
