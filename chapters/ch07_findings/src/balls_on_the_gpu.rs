@@ -1,14 +1,16 @@
 //! What architecture, method and hardware each bring, up to a million balls, and how good the heaps are:
 //! drawn from a table that is kept in the book, as few readers have its machine.
 
-use std::fmt::Write as _;
+mod sample;
+mod text;
 
 use crate::FindingsError;
 use crate::chart::{Axis, Chart, Series, Style};
 use crate::draw;
-use crate::kept::{Kept, Line, Source};
+use crate::kept::{Kept, Source};
 use crate::product::{Product, Say};
-use crate::table::{Table, percent, three_digits};
+use sample::{Sample, machines, of, settling};
+use text::{csv, page};
 
 /// The kept table.
 const SOURCE: Source = Source {
@@ -80,26 +82,6 @@ const ASKED_DEPTHS: [f64; 2] = [0.01, 0.05];
 const GROWS_FROM: f64 = 1e4;
 const ASKED_GROWTH: f64 = 1.05;
 
-/// What was measured of an engine with so many balls.
-#[derive(Clone, Debug, PartialEq)]
-struct Sample {
-    engine: String,
-    method: String,
-    device: String,
-    threads: u32,
-    balls: f64,
-    /// Steps before the first that was timed.
-    settling: u32,
-    /// A step, ms: the batch in the middle, the fastest and the slowest.
-    ms: [f64; 3],
-    /// Overlap in radii: 99 of 100 are no deeper.
-    p99: f64,
-    /// The deepest, in radii.
-    deepest: f64,
-    /// Balls outside the box, and of numbers that are not finite.
-    gone: u64,
-}
-
 /// Lays out pictures, CSV and page; nothing is measured.
 ///
 /// # Errors
@@ -121,45 +103,6 @@ fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
     })
 }
 
-impl Sample {
-    fn of(line: Line) -> Result<Self, FindingsError> {
-        line.one_of("engine", &KINDS.map(|kind| kind.engine))?;
-        line.one_of("scene", &[SCENE])?;
-        let threads = line.number("threads")?;
-        let engine = match line.text("engine")? {
-            "lanes" if threads > 1 => ON_THREADS,
-            engine => engine,
-        };
-        Ok(Self {
-            engine: engine.to_owned(),
-            threads,
-            method: line.text("method")?.to_owned(),
-            device: line.text("device")?.to_owned(),
-            balls: line.positive("count")?,
-            settling: line.number("settle_steps")?,
-            ms: [
-                line.positive("ms_median")?,
-                line.positive("ms_fastest")?,
-                line.positive("ms_slowest")?,
-            ],
-            p99: line.number("p99_of_r")?,
-            deepest: line.number("max_of_r")?,
-            gone: line.number::<u64>("escaped")? + line.number::<u64>("not_finite")?,
-        })
-    }
-
-    /// Engines in the order of [`KINDS`], and the balls of each in order: a number that grows along.
-    fn place(&self) -> f64 {
-        let kind = KINDS.iter().position(|kind| kind.engine == self.engine);
-        1e12 * kind.unwrap_or(KINDS.len()) as f64 + self.balls
-    }
-}
-
-/// The samples of an engine.
-fn of<'a>(samples: &'a [Sample], engine: &str) -> impl Iterator<Item = &'a Sample> {
-    samples.iter().filter(move |sample| sample.engine == engine)
-}
-
 /// x, where an engine's time grows as Nˣ from [`GROWS_FROM`] balls to those of a later sample.
 fn growth(samples: &[Sample], sample: &Sample) -> Option<f64> {
     let first = of(samples, &sample.engine).find(|first| first.balls == GROWS_FROM)?;
@@ -175,27 +118,6 @@ fn growth_in_words(samples: &[Sample]) -> Option<String> {
     Some(format!(
         "from {from} to {to} balls as N to the power of {exponent:.2}"
     ))
-}
-
-/// What an engine, or each of the others, ran on.
-fn devices(samples: &[Sample], is_wanted: fn(&str) -> bool) -> String {
-    let wanted = samples.iter().filter(|sample| is_wanted(&sample.engine));
-    let mut names: Vec<&str> = wanted.map(|sample| sample.device.as_str()).collect();
-    names.sort_unstable();
-    names.dedup();
-    if names.is_empty() {
-        "nothing".to_owned()
-    } else {
-        names.join(" and ")
-    }
-}
-
-fn machines(samples: &[Sample]) -> String {
-    let gpu = devices(samples, |engine| engine == COMPUTE);
-    let cpu = devices(samples, |engine| engine != COMPUTE);
-    let threads = of(samples, ON_THREADS).map(|sample| sample.threads).max();
-    let more = threads.map_or_else(String::new, |count| format!(" or {count}"));
-    format!("{gpu}, and one thread{more} of {cpu}")
 }
 
 fn times(samples: &[Sample]) -> Chart {
@@ -223,17 +145,6 @@ fn times(samples: &[Sample]) -> Chart {
         x: Axis::log("balls"),
         y: Axis::log("time (ms a step)"),
         series,
-    }
-}
-
-/// Steps before the first that was timed: `300`, or `300 to 900`.
-fn settling<'a>(samples: impl Iterator<Item = &'a Sample>) -> String {
-    let mut steps: Vec<u32> = samples.map(|sample| sample.settling).collect();
-    steps.sort_unstable();
-    match steps[..] {
-        [first, .., last] if first < last => format!("{first} to {last}"),
-        [first, ..] => first.to_string(),
-        [] => "no".to_owned(),
     }
 }
 
@@ -279,82 +190,6 @@ fn asked(sample: &Sample) -> Option<f64> {
     found
         .filter(|_| sample.engine == COMPUTE)
         .map(|(_, ms)| *ms)
-}
-
-fn csv(samples: &[Sample]) -> String {
-    let mut text =
-        "engine,method,device,threads,balls,settling_steps,ms_a_step,least_ms,largest_ms,asked_ms,\
-        growth_exponent_from_10000,p99_of_r,deepest_of_r,gone\n"
-            .to_owned();
-    for s in samples {
-        let optional =
-            |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:?}"));
-        // Writing into a String can't fail.
-        let _ = writeln!(
-            text,
-            "{},{},{},{},{},{},{:?},{:?},{:?},{},{},{:?},{:?},{}",
-            s.engine,
-            s.method,
-            draw::quoted(&s.device),
-            s.threads,
-            s.balls,
-            s.settling,
-            s.ms[0],
-            s.ms[1],
-            s.ms[2],
-            optional(asked(s)),
-            optional(growth(samples, s)),
-            s.p99,
-            s.deepest,
-            s.gone,
-        );
-    }
-    text
-}
-
-fn page(samples: &[Sample], origin: &str) -> String {
-    let mut table = Table::new(&[
-        "engine",
-        "method",
-        "threads",
-        "balls",
-        "settled (steps)",
-        "ms/step",
-        "least … largest",
-        "asked",
-        "growth from 10,000: N to the",
-        "p99 of R",
-        "deepest of R",
-        "gone",
-    ]);
-    let none = || "–".to_owned();
-    for s in samples {
-        table.push(vec![
-            s.engine.clone(),
-            s.method.clone(),
-            s.threads.to_string(),
-            grouped(s.balls),
-            s.settling.to_string(),
-            three_digits(s.ms[0]),
-            format!("{} … {}", three_digits(s.ms[1]), three_digits(s.ms[2])),
-            asked(s).map_or_else(none, three_digits),
-            growth(samples, s).map_or_else(none, |exponent| format!("{exponent:.2}")),
-            percent(s.p99),
-            percent(s.deepest),
-            s.gone.to_string(),
-        ]);
-    }
-    let growth = growth_in_words(samples).map_or_else(String::new, |words| {
-        format!(" On the GPU a step grows {words}; at most {ASKED_GROWTH} was asked for.")
-    });
-    format!(
-        "A pile of balls (radius 0.1 to 0.3 m, about six layers, steps of 1/60 s) on {machines}; {origin}. \
-         ms of a step: of the batches of steps the one in the middle, the fastest and the slowest. Overlaps \
-         are relative to the smaller ball's radius R. Gone: balls that left the box, or have numbers that are \
-         not finite.{growth}\n\n{table}",
-        machines = machines(samples),
-        table = table.markdown(3),
-    )
 }
 
 /// A number of balls, 12,345.

@@ -1,14 +1,19 @@
 //! What a round trip to the GPU costs every frame, and from how many bodies on it is worth it: drawn from
 //! two tables that are kept in the book, one of balls and one of boxes, as few readers have their machine.
 
+mod crossover;
+mod sample;
+
 use std::fmt::Write as _;
 
 use crate::FindingsError;
 use crate::chart::{Axis, Bar, Bars, Chart, Group, Series, Style};
 use crate::draw;
-use crate::kept::{Kept, Line, Source};
+use crate::kept::{Kept, Source};
 use crate::product::{Product, Say};
 use crate::table::{Table, percent, three_digits};
+use crossover::{Crossover, grouped};
+use sample::Sample;
 
 /// The kept tables, of what flies, with the name of the picture.
 const SOURCES: [(&str, &str, Source); 2] = [
@@ -34,22 +39,6 @@ const SOURCES: [(&str, &str, Source); 2] = [
 /// The parts of a round trip, in order.
 const PARTS: [&str; 3] = ["upload", "compute, with its start", "download"];
 
-/// What was measured of some number of bodies, ms a frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Sample {
-    bodies: f64,
-    /// Up and down together.
-    bytes: f64,
-    /// Chapter 5's systems on one thread.
-    properties: f64,
-    /// Upload, kernels and download.
-    round_trip: f64,
-    /// Each of [`PARTS`], waited for by itself.
-    parts: [f64; 3],
-    /// By the GPU's own clock; not a number where it has none.
-    kernels: f64,
-}
-
 /// A kept table.
 #[derive(Clone, Debug, PartialEq)]
 struct Trip {
@@ -62,17 +51,6 @@ struct Trip {
     origin: String,
     /// In order of their numbers of bodies.
     samples: Vec<Sample>,
-}
-
-/// Where two curves meet.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Crossover {
-    /// The round trip takes less from so many bodies on.
-    At(f64),
-    /// It takes less from the fewest on.
-    Below(f64),
-    /// It doesn't up to the most.
-    Beyond(f64),
 }
 
 /// Lays out pictures, CSV and page; nothing is measured.
@@ -95,34 +73,6 @@ pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
     })
 }
 
-impl Sample {
-    fn of(line: Line) -> Result<Self, FindingsError> {
-        Ok(Self {
-            bodies: line.positive("bodies")?,
-            bytes: line.positive("bytes_a_body")?,
-            properties: line.positive("ch05_ms")?,
-            round_trip: line.positive("round_trip_ms")?,
-            parts: [
-                line.positive("upload_ms")?,
-                line.positive("compute_ms")?,
-                line.positive("download_ms")?,
-            ],
-            kernels: line.number("kernels_ms")?,
-        })
-    }
-
-    /// What each part takes of all three.
-    fn shares(&self) -> [f64; 3] {
-        let sum: f64 = self.parts.iter().sum();
-        self.parts.map(|part| part / sum)
-    }
-
-    /// How many times as long chapter 5 takes.
-    fn gain(&self) -> f64 {
-        self.properties / self.round_trip
-    }
-}
-
 impl Trip {
     fn of(things: &'static str, chart: &'static str, kept: &Kept) -> Result<Self, FindingsError> {
         let samples = kept.lines().map(Sample::of);
@@ -135,25 +85,6 @@ impl Trip {
             processor: kept.common("processor")?.to_owned(),
             origin: kept.origin(),
             samples,
-        })
-    }
-
-    /// From how many bodies on the round trip takes less time: between two samples, along a line through
-    /// them with both axes by powers of ten.
-    fn crossover(&self) -> Crossover {
-        let (Some(first), Some(last)) = (self.samples.first(), self.samples.last()) else {
-            return Crossover::Beyond(0.0);
-        };
-        let gain = |sample: &Sample| sample.gain().ln();
-        if gain(first) >= 0.0 {
-            return Crossover::Below(first.bodies);
-        }
-        let mut pairs = self.samples.windows(2);
-        let found = pairs.find(|pair| gain(&pair[0]) < 0.0 && gain(&pair[1]) >= 0.0);
-        found.map_or(Crossover::Beyond(last.bodies), |pair| {
-            let [before, after] = [&pair[0], &pair[1]].map(gain);
-            let [few, many] = [&pair[0], &pair[1]].map(|sample| sample.bodies.ln());
-            Crossover::At((few - before * (many - few) / (after - before)).exp())
         })
     }
 
@@ -182,7 +113,7 @@ impl Trip {
                 self.things,
                 self.processor,
                 self.device,
-                self.crossover().text(),
+                Crossover::of(&self.samples).text(),
             ),
             x: Axis::log("bodies"),
             y: Axis::log("time (ms a frame)"),
@@ -192,7 +123,7 @@ impl Trip {
 
     /// An upright line where the two cross, as high as all curves.
     fn mark(&self, curves: &[Series]) -> Option<Series> {
-        let Crossover::At(bodies) = self.crossover() else {
+        let Crossover::At(bodies) = Crossover::of(&self.samples) else {
             return None;
         };
         let heights = || {
@@ -257,23 +188,6 @@ impl Trip {
     }
 }
 
-impl Crossover {
-    fn text(self) -> String {
-        match self {
-            Crossover::At(bodies) => format!("worth it from about {} bodies on", grouped(bodies)),
-            Crossover::Below(bodies) => {
-                format!("worth it from {} bodies on, or fewer", grouped(bodies))
-            }
-            Crossover::Beyond(bodies) => format!("not worth it up to {} bodies", grouped(bodies)),
-        }
-    }
-}
-
-/// A number of bodies, 12,345.
-fn grouped(bodies: f64) -> String {
-    draw::grouped(&format!("{:.0}", bodies.floor()))
-}
-
 /// Where the time of a round trip goes.
 fn shares(trips: &[Trip]) -> Bars {
     let mut devices: Vec<&str> = trips.iter().map(|trip| trip.device.as_str()).collect();
@@ -296,7 +210,7 @@ fn csv(trips: &[Trip]) -> String {
         .to_owned();
     for trip in trips {
         let [device, processor] = [&trip.device, &trip.processor].map(|name| draw::quoted(name));
-        let crossover = match trip.crossover() {
+        let crossover = match Crossover::of(&trip.samples) {
             Crossover::At(bodies) => format!("{bodies:?}"),
             Crossover::Below(_) | Crossover::Beyond(_) => String::new(),
         };
@@ -330,7 +244,7 @@ fn page(trips: &[Trip]) -> String {
             processor = trip.processor,
             origin = trip.origin,
             things = trip.things,
-            crossover = trip.crossover().text(),
+            crossover = Crossover::of(&trip.samples).text(),
             table = trip.table().markdown(0),
         );
     }
@@ -356,7 +270,7 @@ mod tests {
         // Twice as long, and half as long: as long half-way, by powers of ten.
         let lines = "\"A, B\",C,100,112,0.1,0.2,1,1,2,NaN\n\"A, B\",C,10000,112,2,1,1,1,2,0.1\n";
         let trip = trip(lines).expect("a table");
-        let Crossover::At(bodies) = trip.crossover() else {
+        let Crossover::At(bodies) = Crossover::of(&trip.samples) else {
             panic!("they cross: {trip:?}");
         };
         assert!((bodies - 1000.0).abs() < 1e-9);
@@ -374,9 +288,9 @@ mod tests {
     #[test]
     fn curves_that_do_not_cross_have_no_mark() {
         let below = trip("A,C,10,112,2,1,1,1,2,0.1\nA,C,20,112,2,1,1,1,2,0.1\n").expect("a table");
-        assert_eq!(below.crossover(), Crossover::Below(10.0));
+        assert_eq!(Crossover::of(&below.samples), Crossover::Below(10.0));
         let beyond = trip("A,C,10,112,1,2,1,1,2,0.1\nA,C,20,112,1,2,1,1,2,0.1\n").expect("a table");
-        assert_eq!(beyond.crossover(), Crossover::Beyond(20.0));
+        assert_eq!(Crossover::of(&beyond.samples), Crossover::Beyond(20.0));
         assert_eq!(beyond.curves().series.len(), 3);
         let alone = trip("A,C,10,112,2,1,1,1,2,0.1\n").expect("a table");
         assert_eq!(alone.curves().series.len(), 3);
