@@ -3,14 +3,14 @@
 //! [`Args`] is a group of flags and no program of its own, so that a chapter which has more
 //! to say can flatten it into its own parser, with [`examples`] after its help.
 
+mod help;
 mod values;
 
-use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use ch00_scenes::{EngineEntry, Layer, Scene, Settings, builtin};
-use clap::{Command, FromArgMatches};
+use ch00_scenes::{EngineEntry, Layer, Scene, Settings};
+use clap::FromArgMatches;
 use glam::Vec2;
 
 use crate::chapter::Chapter;
@@ -23,6 +23,8 @@ use crate::session::Session;
 use crate::show::{Dissect, Show, Wish};
 use crate::side_by_side::Extras;
 use crate::{app, headless};
+use help::explain;
+pub use help::{command, examples};
 use values::{at_least_one, dissect, layer, step_count, step_size, view_angles, whole_number};
 
 /// The flags that all chapters share.
@@ -268,86 +270,6 @@ pub fn run_with(chapter: &Chapter, args: &Args, extras: Extras) -> Result<(), Sh
     }
 }
 
-/// The chapter's command line.
-#[must_use]
-pub fn command(chapter: &Chapter) -> Command {
-    <Args as clap::Args>::augment_args(Command::new(chapter.name))
-        .version(env!("CARGO_PKG_VERSION"))
-        .about(format!("{}\n\n{}", chapter.title, chapter.about))
-        .after_help(examples(chapter))
-}
-
-/// What can be chosen and how, for the end of a chapter's `--help`.
-#[must_use]
-pub fn examples(chapter: &Chapter) -> String {
-    let program = format!("cargo run --release -p {} --", chapter.name);
-    let scene = chapter.default_scene;
-    let engine = chapter.engines[0].name;
-    let mut text = format!("Scenes, `{scene}` unless you say otherwise:\n");
-    let widest = chapter.scenes.iter().map(|name| name.len()).max();
-    let width = widest.unwrap_or(0).max(12);
-    for name in chapter.scenes {
-        let about = builtin::about(name).unwrap_or_default();
-        let _ = writeln!(text, "  {name:<width$} {about}");
-    }
-    for engine in chapter.engines {
-        let (name, chapter) = (engine.name, engine.chapter);
-        let _ = writeln!(
-            text,
-            "\nMethods of the engine `{name}` ({chapter}), the default first:"
-        );
-        for method in engine.methods {
-            let _ = writeln!(text, "  {:<12} {}", method.name, method.about);
-        }
-    }
-    let _ = write!(
-        text,
-        "\nExamples:\n  \
-         {program}\n      \
-         open a window with `{scene}`\n  \
-         {program} --scene {scene} --headless\n      \
-         run it without one and print a table\n  \
-         {program} --scene {scene} --engine {engine} --explain\n      \
-         say what the engine does with it, and why\n  \
-         {program} --scene my.json --steps 300 --dump my.rbd\n      \
-         run a scene file and write its states\n  \
-         {program} --scene {scene} --screenshot {scene}.png\n      \
-         run it and draw where it ends\n  \
-         {program} --scene {scene} --layers contacts --dissect deepest --screenshot pair.png\n      \
-         draw its contacts too, and how the narrow phase finds the deepest one"
-    );
-    text
-}
-
-/// What `--explain` prints: who steps, then the engine's own words.
-fn explain(session: &Session) -> String {
-    let info = session.engine().info();
-    let sweeps = info
-        .sweeps
-        .map_or_else(|| "none".to_owned(), |sweeps| sweeps.to_string());
-    format!(
-        "scene     {scene}: {bodies} bodies ({moving} move), {joints} joints, {steps} steps of {dt:.6} s\n\
-         engine    {engine}, method {method}, on {device} with {threads} thread(s)\n\
-         substeps  {substeps}\n\
-         sweeps    {sweeps}\n\
-         threshold impacts below {threshold} m/s don't bounce\n\n\
-         {words}\n",
-        scene = session.scene().name,
-        bodies = session.scene().bodies.len(),
-        moving = session.scene().dynamic_count(),
-        joints = session.scene().joints.len(),
-        steps = session.scene().steps,
-        dt = session.dt(),
-        engine = info.engine,
-        method = info.method,
-        device = info.device,
-        threads = info.threads,
-        substeps = info.substeps,
-        threshold = info.restitution_threshold,
-        words = session.engine().explain().trim_end(),
-    )
-}
-
 /// Opens a window; without a display or an adapter says so and runs headless instead.
 fn open_window(
     chapter: &Chapter,
@@ -403,135 +325,4 @@ fn display() -> Result<(), ShellError> {
 const DISPLAY_VARIABLES: [&str; 3] = ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"];
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::test_engine::CHAPTER;
-
-    pub(super) fn parse(arguments: &[&str]) -> Result<Args, clap::Error> {
-        let words = std::iter::once("ch00_shell").chain(arguments.iter().copied());
-        let matches = command(&CHAPTER).try_get_matches_from(words)?;
-        Args::from_arg_matches(&matches)
-    }
-
-    pub(super) fn args(arguments: &[&str]) -> Args {
-        parse(arguments).expect("these flags are right")
-    }
-
-    /// What a chapter's program answers to flags that parse.
-    fn refusal(arguments: &[&str]) -> String {
-        let error = args(arguments).session(&CHAPTER).err();
-        error.expect("it is refused").to_string()
-    }
-
-    #[test]
-    fn the_command_line_is_consistent() {
-        command(&CHAPTER).debug_assert();
-    }
-
-    #[test]
-    fn no_flags_are_the_chapters_scene_and_engine_in_a_window() {
-        let args = args(&[]);
-        let session = args.session(&CHAPTER).expect("the defaults load");
-        assert_eq!(
-            (session.scene().name.as_str(), session.entry().name),
-            ("pair", "falling")
-        );
-        assert!(!args.is_headless());
-    }
-
-    #[test]
-    fn flags_that_end_a_run_open_no_window() {
-        for flags in [
-            &["--headless"][..],
-            &["--json"],
-            &["--steps", "3"],
-            &["--dump", "a.rbd"],
-            &["--screenshot", "a.png"],
-        ] {
-            assert!(args(flags).is_headless(), "{flags:?}");
-        }
-    }
-
-    #[test]
-    fn flags_change_the_scene_and_the_settings() {
-        let flags = [
-            "--scene", "bounce", "--dt", "0.5", "--steps", "7", "--method", "heavy",
-        ];
-        let session = args(&flags).session(&CHAPTER).expect("they are right");
-        assert_eq!((session.dt(), session.scene().steps), (0.5, 7));
-        assert_eq!(session.engine().info().method, "heavy");
-    }
-
-    #[test]
-    fn an_engine_of_another_chapter_is_answered_with_that_chapter() {
-        let message = refusal(&["--engine", "objects"]);
-        assert!(message.contains("ch04_ragdolls"), "{message}");
-        assert!(message.contains("falling"), "{message}");
-    }
-
-    #[test]
-    fn an_engine_that_the_book_does_not_have_is_answered_with_the_known_ones() {
-        let message = refusal(&["--engine", "gears"]);
-        let expected = "engine `gears` is not in this chapter's list (ch00_shell has: falling)";
-        assert_eq!(message, expected);
-    }
-
-    #[test]
-    fn an_unknown_method_is_answered_with_the_known_ones() {
-        let message = refusal(&["--method", "magic"]);
-        assert!(message.contains("light, heavy"), "{message}");
-    }
-
-    #[test]
-    fn an_engine_that_draws_nothing_says_so_before_the_run() {
-        let error_of = |arguments: &[&str]| {
-            let args = args(arguments);
-            let session = args.session(&CHAPTER).expect("the defaults load");
-            let error = args.wish().check(&session).expect_err("it can't");
-            error.to_string()
-        };
-        let message = error_of(&["--layers", "contacts"]);
-        assert!(
-            message.contains("--layers contacts") && message.contains("falling"),
-            "{message}"
-        );
-        let message = error_of(&["--dissect", "0,1"]);
-        assert!(message.contains("no narrow phase"), "{message}");
-        let message = error_of(&["--dissect", "0,7"]);
-        assert!(message.contains("bodies 0 to 1"), "{message}");
-        let message = error_of(&["--dissect", "1,1"]);
-        assert!(message.contains("itself"), "{message}");
-    }
-
-    #[test]
-    fn a_dump_interval_needs_a_dump() {
-        assert!(parse(&["--dump-every", "2"]).is_err());
-        let args = args(&["--dump", "a.rbd", "--dump-every", "2"]);
-        let dump = args.headless_options(Picture::None).dump;
-        assert_eq!(dump.map(|dump| dump.every), Some(2));
-    }
-
-    #[test]
-    fn explaining_names_engine_method_and_threshold() {
-        let session = args(&[]).session(&CHAPTER).expect("the defaults load");
-        let text = explain(&session);
-        for word in ["falling", "light", "threshold", "Each point falls"] {
-            assert!(text.contains(word), "`{word}` isn't in:\n{text}");
-        }
-    }
-
-    #[test]
-    fn help_lists_scenes_engines_methods_and_examples() {
-        let help = command(&CHAPTER).render_help().to_string();
-        for word in [
-            "pair ",
-            "bounce ",
-            "falling",
-            "heavy",
-            "Examples:",
-            "-p ch00_shell --",
-        ] {
-            assert!(help.contains(word), "`{word}` isn't in:\n{help}");
-        }
-    }
-}
+mod tests;
