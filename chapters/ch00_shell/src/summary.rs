@@ -102,14 +102,15 @@ impl Summary {
     }
 
     /// The lines of the table: what it is, its value, its unit.
-    fn rows(&self) -> Vec<(&'static str, String, &'static str)> {
-        let Timing {
-            median_ms,
-            p99_ms,
-            total_s,
-            max_fps,
-            min_fps,
-        } = self.timing;
+    fn rows(&self) -> Vec<Line> {
+        let mut rows = self.what_ran();
+        rows.extend(self.timing.rows());
+        rows.extend(self.what_came_out());
+        rows
+    }
+
+    /// What ran.
+    fn what_ran(&self) -> Vec<Line> {
         vec![
             ("scene", self.scene.clone(), ""),
             ("engine", format!("{}, {}", self.engine, self.method), ""),
@@ -120,11 +121,12 @@ impl Summary {
             ("steps", self.steps.to_string(), ""),
             ("step size", number(self.dt), "s"),
             ("substeps", self.substeps.to_string(), ""),
-            ("median step", number(median_ms), "ms"),
-            ("99 % of steps within", number(p99_ms), "ms"),
-            ("all steps but the first", number(total_s), "s"),
-            ("fastest ten steps", number(max_fps), "steps/s"),
-            ("slowest ten steps", number(min_fps), "steps/s"),
+        ]
+    }
+
+    /// How good the result is.
+    fn what_came_out(&self) -> Vec<Line> {
+        vec![
             (
                 "deepest overlap, last",
                 number(self.max_penetration_final_m),
@@ -167,6 +169,22 @@ impl Summary {
         ]
     }
 }
+
+impl Timing {
+    /// How long it took.
+    fn rows(&self) -> Vec<Line> {
+        vec![
+            ("median step", number(self.median_ms), "ms"),
+            ("99 % of steps within", number(self.p99_ms), "ms"),
+            ("all steps but the first", number(self.total_s), "s"),
+            ("fastest ten steps", number(self.max_fps), "steps/s"),
+            ("slowest ten steps", number(self.min_fps), "steps/s"),
+        ]
+    }
+}
+
+/// A line of the table: what it is, its value, its unit.
+type Line = (&'static str, String, &'static str);
 
 /// The table for people.
 impl fmt::Display for Summary {

@@ -78,40 +78,89 @@ struct Glass {
     balls: wgpu::RenderPipeline,
 }
 
+impl Glass {
+    /// From the recipes for meshes and balls that aren't of glass.
+    fn new(maker: &PipelineMaker, meshes: &Recipe, balls: &Recipe) -> Self {
+        let meshes = Recipe {
+            entries: ["vs_body", "fs_glass"],
+            ..*meshes
+        };
+        let balls = Recipe {
+            entries: ["vs_ball", "fs_glass_ball"],
+            ..*balls
+        };
+        Self {
+            depths: maker.make(&Recipe {
+                is_seen: false,
+                ..meshes
+            }),
+            ball_depths: maker.make(&Recipe {
+                depth_compare: wgpu::CompareFunction::Greater,
+                hides: true,
+                is_seen: false,
+                ..balls
+            }),
+            meshes: maker.make(&Recipe {
+                depth_compare: wgpu::CompareFunction::Equal,
+                hides: false,
+                is_translucent: true,
+                ..meshes
+            }),
+            balls: maker.make(&Recipe {
+                depth_compare: wgpu::CompareFunction::Equal,
+                ..balls
+            }),
+        }
+    }
+}
+
+/// How meshes that move are drawn.
+fn of_meshes<'a>(
+    buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
+    constants: &'a [(&'a str, f64)],
+) -> Recipe<'a> {
+    Recipe {
+        shader: shaders::BODIES,
+        entries: ["vs_body", "fs_body"],
+        buffers,
+        topology: wgpu::PrimitiveTopology::TriangleList,
+        cull: Some(wgpu::Face::Back),
+        depth_compare: wgpu::CompareFunction::Greater,
+        hides: true,
+        is_translucent: false,
+        is_seen: true,
+        constants,
+    }
+}
+
+/// How balls are, where meshes are drawn like this.
+fn of_balls<'a>(meshes: &Recipe<'a>) -> Recipe<'a> {
+    Recipe {
+        shader: shaders::BALLS,
+        entries: ["vs_ball", "fs_ball"],
+        topology: wgpu::PrimitiveTopology::TriangleStrip,
+        cull: None,
+        depth_compare: wgpu::CompareFunction::GreaterEqual,
+        hides: false,
+        is_translucent: true,
+        buffers: &meshes.buffers[1..],
+        ..*meshes
+    }
+}
+
 impl Bodies {
     /// Without bodies.
     pub fn new(maker: &PipelineMaker, queue: &wgpu::Queue) -> Self {
         let device = maker.device;
         let meshes = [meshes::cube(), meshes::capsule(32, 8), meshes::cylinder(40)];
         let constants = [("shadow_reach", f64::from(maker.quality.shadow_reach))];
-        let mesh_layouts = vertex_layouts();
-        let moving = Recipe {
-            shader: shaders::BODIES,
-            entries: ["vs_body", "fs_body"],
-            buffers: &mesh_layouts,
-            topology: wgpu::PrimitiveTopology::TriangleList,
-            cull: Some(wgpu::Face::Back),
-            depth_compare: wgpu::CompareFunction::Greater,
-            hides: true,
-            is_translucent: false,
-            is_seen: true,
-            constants: &constants,
-        };
+        let layouts = vertex_layouts();
+        let moving = of_meshes(&layouts, &constants);
         let resting = Recipe {
             entries: ["vs_body", "fs_static"],
             ..moving
         };
-        let balls = Recipe {
-            shader: shaders::BALLS,
-            entries: ["vs_ball", "fs_ball"],
-            topology: wgpu::PrimitiveTopology::TriangleStrip,
-            cull: None,
-            depth_compare: wgpu::CompareFunction::GreaterEqual,
-            hides: false,
-            is_translucent: true,
-            buffers: &mesh_layouts[1..],
-            ..moving
-        };
+        let balls = of_balls(&moving);
         let ball_depths = Recipe {
             entries: ["vs_ball", "fs_ball_depth"],
             hides: true,
@@ -119,9 +168,9 @@ impl Bodies {
             is_seen: false,
             ..balls
         };
-        let glass_balls = Recipe {
-            entries: ["vs_ball", "fs_glass_ball"],
-            ..balls
+        let ball_surfaces = Recipe {
+            entries: ["vs_ball", "fs_ball_surface"],
+            ..ball_depths
         };
         Self {
             meshes: meshes.map(|mesh| MeshBuffers::new(device, queue, &mesh)),
@@ -130,35 +179,9 @@ impl Bodies {
             moving: maker.make(&moving),
             resting: maker.make(&resting),
             ball_depths: maker.make(&ball_depths),
-            ball_surfaces: maker.make(&Recipe {
-                entries: ["vs_ball", "fs_ball_surface"],
-                ..ball_depths
-            }),
+            ball_surfaces: maker.make(&ball_surfaces),
             balls: maker.make(&balls),
-            glass: Glass {
-                depths: maker.make(&Recipe {
-                    entries: ["vs_body", "fs_glass"],
-                    is_seen: false,
-                    ..moving
-                }),
-                ball_depths: maker.make(&Recipe {
-                    depth_compare: wgpu::CompareFunction::Greater,
-                    hides: true,
-                    is_seen: false,
-                    ..glass_balls
-                }),
-                meshes: maker.make(&Recipe {
-                    entries: ["vs_body", "fs_glass"],
-                    depth_compare: wgpu::CompareFunction::Equal,
-                    hides: false,
-                    is_translucent: true,
-                    ..moving
-                }),
-                balls: maker.make(&Recipe {
-                    depth_compare: wgpu::CompareFunction::Equal,
-                    ..glass_balls
-                }),
-            },
+            glass: Glass::new(maker, &moving, &balls),
         }
     }
 
