@@ -212,33 +212,44 @@ pub fn regions() -> String {
         Vec3::new(0.2, 1.25, 0.0),
     ];
     for i in 0..3 {
-        let (from, to, last) = (corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]);
-        let out = (to - from).cross(Vec3::Z).normalize();
-        let before = (from - last).cross(Vec3::Z).normalize();
-        let strip = [from, to, to + 1.2 * out, from + 1.2 * out];
-        svg.area(&frame.all(&strip), SIMPLEX, 0.18, 0.0);
-        let between = (out + before).normalize();
-        let wedge = [
-            from,
-            from + 1.2 * before,
-            from + 1.2 * between,
-            from + 1.2 * out,
-        ];
-        svg.area(&frame.all(&wedge), SUPPORT, 0.18, 0.0);
-        for end in [from + 1.2 * out, from + 1.2 * before] {
-            svg.dashes([frame.at(from), frame.at(end)], GREY, 1.5);
-        }
-        let middle = frame.at(0.5 * (from + to) + 0.75 * out);
-        let edge = ["AB", "BC", "CA"][i];
-        check(&corners, 0.5 * (from + to) + 0.75 * out, 2);
-        svg.letter(middle + vec2(0.0, 5.0), edge, TEXT);
-        let beyond = from + 0.75 * between;
-        check(&corners, beyond, 1);
-        svg.letter(frame.at(beyond) + vec2(0.0, 5.0), ["A", "B", "C"][i], TEXT);
+        strip_and_wedge(&mut svg, &frame, &corners, i);
     }
     svg.area(&frame.all(&corners), BOUND, 0.3, 2.0);
     check(&corners, Vec3::ZERO, 3);
     svg.letter(frame.at(Vec3::new(0.13, 0.05, 0.0)), "ABC", TEXT);
+    legend(&mut svg);
+    svg.finish()
+}
+
+/// The strip along the side that begins at a corner, and the corner's wedge.
+fn strip_and_wedge(svg: &mut Svg, frame: &Frame, corners: &[Vec3; 3], i: usize) {
+    let (from, to, last) = (corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]);
+    let out = (to - from).cross(Vec3::Z).normalize();
+    let before = (from - last).cross(Vec3::Z).normalize();
+    let strip = [from, to, to + 1.2 * out, from + 1.2 * out];
+    svg.area(&frame.all(&strip), SIMPLEX, 0.18, 0.0);
+    let between = (out + before).normalize();
+    let wedge = [
+        from,
+        from + 1.2 * before,
+        from + 1.2 * between,
+        from + 1.2 * out,
+    ];
+    svg.area(&frame.all(&wedge), SUPPORT, 0.18, 0.0);
+    for end in [from + 1.2 * out, from + 1.2 * before] {
+        svg.dashes([frame.at(from), frame.at(end)], GREY, 1.5);
+    }
+    let middle = frame.at(0.5 * (from + to) + 0.75 * out);
+    let edge = ["AB", "BC", "CA"][i];
+    check(corners, 0.5 * (from + to) + 0.75 * out, 2);
+    svg.letter(middle + vec2(0.0, 5.0), edge, TEXT);
+    let beyond = from + 0.75 * between;
+    check(corners, beyond, 1);
+    svg.letter(frame.at(beyond) + vec2(0.0, 5.0), ["A", "B", "C"][i], TEXT);
+}
+
+/// What the colours of the regions say.
+fn legend(svg: &mut Svg) {
     for (at, color, words) in [
         (110.0, SUPPORT, "a corner"),
         (150.0, SIMPLEX, "a side"),
@@ -259,7 +270,6 @@ pub fn regions() -> String {
     }
     svg.words(vec2(540.0, 75.0), "If the origin is here,");
     svg.words(vec2(540.0, 228.0), "carries the nearest point.");
-    svg.finish()
 }
 
 /// The engine must agree that so many corners carry the point nearest to `origin`.
@@ -298,28 +308,11 @@ pub fn clip() -> String {
     let face = frames[2].1.widest_feature(Vec3::Y);
     for (i, (name, lower)) in frames.iter().enumerate() {
         let corner = vec2(240.0 * i as f32, 0.0);
-        let seen = |p: Vec3| corner + vec2(118.0, 150.0) + 76.0 * vec2(p.x, p.z);
-        let all = |feature: &Feature| {
-            feature
-                .corners()
-                .iter()
-                .map(|&p| seen(p))
-                .collect::<Vec<_>>()
-        };
-        svg.area(&all(&face), B, 0.25, 2.0);
-        svg.area(
-            &all(&other),
-            A,
-            if i == 0 { 0.3 } else { 0.08 },
-            if i == 0 { 2.0 } else { 0.7 },
-        );
-        let points = clipped(&other, &lower.widest_feature(Vec3::Y), Vec3::Y, 0.0);
-        let left: Vec<Vec2> = points.points().iter().map(|point| seen(point.at)).collect();
+        svg.area(&from_above(corner, face.corners()), B, 0.25, 2.0);
+        let (fill, line) = if i == 0 { (0.3, 2.0) } else { (0.08, 0.7) };
+        svg.area(&from_above(corner, other.corners()), A, fill, line);
         if i > 0 {
-            svg.area(&left, A, 0.35, 2.0);
-            for &point in &left {
-                svg.dot(point, 4.0, SUPPORT);
-            }
+            cut(&mut svg, corner, &other, &lower.widest_feature(Vec3::Y));
         }
         svg.heading(corner + vec2(10.0, 20.0), name);
     }
@@ -331,14 +324,28 @@ pub fn clip() -> String {
         0.01,
     );
     for spot in touch.spots() {
-        svg.ring(
-            vec2(598.0, 150.0) + 76.0 * vec2(spot.point.x, spot.point.z),
-            8.5,
-            BOUND,
-        );
+        let at = from_above(vec2(480.0, 0.0), &[spot.point]);
+        svg.ring(at[0], 8.5, BOUND);
     }
     svg.words(vec2(10.0, 272.0), "orange: lower face of a");
     svg.words(vec2(250.0, 272.0), "blue: upper face of b");
     svg.words(vec2(490.0, 272.0), "ringed: the four that stay");
     svg.finish()
+}
+
+/// Where points are in a frame whose corner is here, seen from above.
+fn from_above(corner: Vec2, points: &[Vec3]) -> Vec<Vec2> {
+    let seen = |p: &Vec3| corner + vec2(118.0, 150.0) + 76.0 * vec2(p.x, p.z);
+    points.iter().map(seen).collect()
+}
+
+/// What is left of a face, cut at the sides of another one.
+fn cut(svg: &mut Svg, corner: Vec2, face: &Feature, sides: &Feature) {
+    let points = clipped(face, sides, Vec3::Y, 0.0);
+    let points: Vec<Vec3> = points.points().iter().map(|point| point.at).collect();
+    let left = from_above(corner, &points);
+    svg.area(&left, A, 0.35, 2.0);
+    for &point in &left {
+        svg.dot(point, 4.0, SUPPORT);
+    }
 }
