@@ -45,59 +45,78 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     same::check(COMPARED).map_err(|name| format!("{name} computes other bits"))?;
     println!("{COMPARED} objects in 5 architectures, some replaced by others: the same bits.\n");
 
-    let shortest = Duration::from_millis(if quick { 1 } else { 10 });
-    let counts = if quick { &COUNTS[..3] } else { &COUNTS[..] };
-    let rows: Vec<_> = counts
-        .iter()
-        .flat_map(|&count| measure::all(count, shortest))
-        .collect();
-    let tabled: &[usize] = if quick { &[FEW] } else { &[FEW, MANY] };
-    let held: Vec<_> = tabled
-        .iter()
-        .flat_map(|&count| memory::all(count))
-        .collect();
-    let moves: Vec<_> = tabled.iter().flat_map(|&count| moves::all(count)).collect();
-    let counted = count_misses(tabled);
-
-    let times: Vec<_> = tabled
-        .iter()
-        .map(|&count| (count, tables::times(&rows, count)))
-        .collect();
-    let memory = tables::memory(&held);
-    let costs = tables::costs(&cost::all());
-    let marks = tables::marks(&moves);
-    let misses = tables::misses(&counted);
-    for (_, table) in &times {
+    let measured = Measured::new(quick);
+    let tables = measured.tables();
+    for (_, table) in &tables {
         println!("{table}");
     }
-    println!("{memory}\n{costs}\n{marks}\n{misses}");
     if quick {
         return Ok(());
     }
-
     let charts = charts()?;
-    let write = |name: &str, text: &str| fs::write(charts.join(name), text);
-    write(
-        "ch05_architectures.csv",
-        &tables::csv(&rows, &held, &moves, &counted),
-    )?;
-    for (count, table) in &times {
-        write(&format!("ch05_architectures_{count}.txt"), table)?;
+    for (name, table) in &tables {
+        fs::write(charts.join(name), table)?;
     }
-    write("ch05_architectures_memory.txt", &memory)?;
-    write("ch05_architectures_costs.txt", &costs)?;
-    write("ch05_architectures_marks.txt", &marks)?;
-    write("ch05_architectures_misses.txt", &misses)?;
-    let panels = [
-        ("ch05_architectures_all.svg", &Operation::OVER_ALL[..]),
-        ("ch05_architectures_one.svg", &Operation::OF_ONE[..]),
-        ("ch05_architectures_changes.svg", &Operation::OF_CHANGE[..]),
-    ];
-    for (name, operations) in panels {
-        chart::draw(&rows, operations, &charts.join(name))?;
-    }
+    measured.draw(&charts)?;
     println!("written to {}", charts.display());
     Ok(())
+}
+
+/// All that is measured.
+struct Measured {
+    /// The counts that have tables.
+    tabled: &'static [usize],
+    rows: Vec<measure::Row>,
+    held: Vec<memory::Held>,
+    moves: Vec<moves::Row>,
+    counted: Counts,
+}
+
+impl Measured {
+    fn new(quick: bool) -> Self {
+        let shortest = Duration::from_millis(if quick { 1 } else { 10 });
+        let counts = if quick { &COUNTS[..3] } else { &COUNTS[..] };
+        let tabled: &[usize] = if quick { &[FEW] } else { &[FEW, MANY] };
+        let of_counts = |count: &usize| measure::all(*count, shortest);
+        Self {
+            tabled,
+            rows: counts.iter().flat_map(of_counts).collect(),
+            held: tabled.iter().flat_map(|&n| memory::all(n)).collect(),
+            moves: tabled.iter().flat_map(|&n| moves::all(n)).collect(),
+            counted: count_misses(tabled),
+        }
+    }
+
+    /// The tables, with the names of their files.
+    fn tables(&self) -> Vec<(String, String)> {
+        let named = |name: &str, table| (format!("ch05_architectures_{name}.txt"), table);
+        let times = |&count: &usize| named(&count.to_string(), tables::times(&self.rows, count));
+        let mut all: Vec<_> = self.tabled.iter().map(times).collect();
+        all.extend([
+            named("memory", tables::memory(&self.held)),
+            named("costs", tables::costs(&cost::all())),
+            named("marks", tables::marks(&self.moves)),
+            named("misses", tables::misses(&self.counted)),
+        ]);
+        all
+    }
+
+    /// Writes the numbers and the charts into a folder.
+    fn draw(&self, charts: &Path) -> Result<(), Box<dyn std::error::Error>> {
+        fs::write(
+            charts.join("ch05_architectures.csv"),
+            tables::csv(&self.rows, &self.held, &self.moves, &self.counted),
+        )?;
+        let panels = [
+            ("ch05_architectures_all.svg", &Operation::OVER_ALL[..]),
+            ("ch05_architectures_one.svg", &Operation::OF_ONE[..]),
+            ("ch05_architectures_changes.svg", &Operation::OF_CHANGE[..]),
+        ];
+        for (name, operations) in panels {
+            chart::draw(&self.rows, operations, &charts.join(name))?;
+        }
+        Ok(())
+    }
 }
 
 /// Cache misses of what lasts, where they can be counted.
