@@ -35,6 +35,8 @@ pub struct Settings {
     pub substeps: Option<u32>,
     /// Threads; `None` for the engine's default.
     pub threads: Option<u32>,
+    /// Whether bodies that have come to rest may sleep.
+    pub sleeping: bool,
 }
 
 impl Settings {
@@ -46,6 +48,7 @@ impl Settings {
             sweeps: None,
             substeps: None,
             threads: None,
+            sleeping: false,
         }
     }
 
@@ -61,6 +64,22 @@ impl Settings {
     pub fn with_sweeps(mut self, sweeps: u32) -> Self {
         self.sweeps = Some(sweeps);
         self
+    }
+
+    /// What a method says in which nobody sleeps.
+    ///
+    /// # Errors
+    /// [`LoadError::Setting`] if somebody shall.
+    pub fn refuse_sleeping(&self, method: &'static str) -> Result<(), LoadError> {
+        if !self.sleeping {
+            return Ok(());
+        }
+        Err(LoadError::Setting {
+            method,
+            setting: "sleeping",
+            value: String::new(),
+            why: "bodies sleep in engine `lanes` (chapter 6) alone".to_owned(),
+        })
     }
 }
 
@@ -108,13 +127,13 @@ pub enum LoadError {
         index: Option<usize>,
     },
     /// A setting that the method doesn't have or can't take.
-    #[error("method `{method}`: `--{setting} {value}`: {why}")]
+    #[error("method `{method}`: `--{setting}{}{value}`: {why}", if value.is_empty() { "" } else { " " })]
     Setting {
         /// Name of the method.
         method: &'static str,
         /// Name of the flag.
         setting: &'static str,
-        /// What was asked for.
+        /// What was asked for; nothing where the flag has no value.
         value: String,
         /// Why that can't be.
         why: String,

@@ -69,6 +69,9 @@ pub struct Args {
     #[arg(long, value_name = "T", help_heading = "How it is simulated",
           allow_negative_numbers = true, value_parser = at_least_one)]
     pub threads: Option<u32>,
+    /// Let bodies sleep that have come to rest, for engines in which they can
+    #[arg(long, help_heading = "How it is simulated")]
+    pub sleeping: bool,
     /// Make each step as long as the last one took, as the report does: results then vary
     #[arg(long, help_heading = "How it is simulated")]
     pub variable_step: bool,
@@ -182,6 +185,7 @@ impl Args {
             sweeps: self.sweeps,
             substeps: self.substeps,
             threads: self.threads,
+            sleeping: self.sleeping,
         }
     }
 

@@ -77,7 +77,7 @@ fn check_settings(method: &Method, settings: &Settings) -> Result<(), LoadError>
             });
         }
     }
-    Ok(())
+    settings.refuse_sleeping(method.name)
 }
 
 /// By body: whether an orbit moves it.

@@ -73,7 +73,7 @@ fn refuse_unused(settings: &Settings) -> Result<(), LoadError> {
             });
         }
     }
-    Ok(())
+    settings.refuse_sleeping("corrected, printed")
 }
 
 impl Engine for RigidBodyEngine {
@@ -112,9 +112,8 @@ impl Engine for RigidBodyEngine {
 
     fn counters(&self) -> Counters {
         Counters {
-            pairs: 0,
-            contacts: 0,
             overflow: self.world.unread_turns(),
+            ..Counters::default()
         }
     }
 

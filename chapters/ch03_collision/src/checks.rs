@@ -53,5 +53,5 @@ pub fn check_settings(method: &'static str, settings: &Settings) -> Result<(), L
             });
         }
     }
-    Ok(())
+    settings.refuse_sleeping(method)
 }

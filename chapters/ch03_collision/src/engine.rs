@@ -329,6 +329,7 @@ impl Engine for CollisionEngine {
             pairs: self.tree.pair_count(),
             contacts: self.contacts.len(),
             overflow: self.impacts_left + self.world.unread_turns() + self.tree.unsure_touches(),
+            ..Counters::default()
         }
     }
 

@@ -236,6 +236,7 @@ impl Engine for PropertiesEngine {
             pairs: self.world.broad.pairs.len(),
             contacts: self.world.data.contacts.rows(),
             overflow: counts.unread_turns + counts.impacts_left + counts.unsure_touches,
+            ..Counters::default()
         }
     }
 

@@ -2,12 +2,12 @@
 //!
 //! `cargo run --release -p ch06_compute --no-default-features --example pile -- [--engine NAME]
 //! [--method NAME] [--scene NAME] [--counts N,N,…] [--settle STEPS] [--steps STEPS] [--substeps N]
-//! [--threads N] [--csv FILE]`
+//! [--threads N] [--csv FILE] [--sleeping]`
 //!
 //! A scene is loaded, makes its settling steps, and then the timed ones in five batches, of which the
 //! median, the fastest and the slowest are told, ms a step. Nothing is read back before a batch is done.
 //! What is left lying is measured from scene and state alone. Lines go to the standard output and, with
-//! `--csv`, into a file.
+//! `--csv`, into a file. With `--sleeping` a second heap of each size may sleep; it has a second line.
 
 use std::fs::File;
 use std::io::Write as _;
@@ -55,7 +55,10 @@ fn run() -> Result<(), Problem> {
     };
     say(&Line::names())?;
     for count in &options.counts {
-        say(&measured(&options, *count)?.values())?;
+        say(&measured(&options, false, *count)?.values())?;
+        if options.sleeping {
+            say(&measured(&options, true, *count)?.values())?;
+        }
     }
     Ok(())
 }
@@ -71,6 +74,8 @@ struct Options {
     steps: u32,
     settings: Settings,
     csv: Option<String>,
+    /// Whether there is a heap that may sleep beside the one that may not.
+    sleeping: bool,
 }
 
 impl Options {
@@ -83,8 +88,13 @@ impl Options {
             steps: 200,
             settings: Settings::defaults(),
             csv: None,
+            sleeping: false,
         };
         while let Some(flag) = words.next() {
+            if flag == "--sleeping" {
+                options.sleeping = true;
+                continue;
+            }
             let Some(value) = words.next() else {
                 return Err(format!("`{flag}` has no value").into());
             };
@@ -169,20 +179,24 @@ impl Timed for Queued {
     }
 }
 
-fn load(options: &Options, scene: &Scene) -> Result<Box<dyn Timed>, Problem> {
+fn load(options: &Options, sleeping: bool, scene: &Scene) -> Result<Box<dyn Timed>, Problem> {
+    let settings = Settings {
+        sleeping,
+        ..options.settings.clone()
+    };
     if options.engine.name == ch06_compute::COMPUTE.name {
-        let engine = ComputeEngine::load(scene, &options.settings)?;
+        let engine = ComputeEngine::load(scene, &settings)?;
         return Ok(Box::new(Queued(engine)));
     }
-    let engine = (options.engine.load)(scene, &options.settings)?;
+    let engine = (options.engine.load)(scene, &settings)?;
     Ok(Box::new(OneByOne(engine)))
 }
 
-fn measured(options: &Options, count: Option<u64>) -> Result<Line, Problem> {
+fn measured(options: &Options, sleeping: bool, count: Option<u64>) -> Result<Line, Problem> {
     let scene = Scene::open(&options.scene, count, None)?;
     let dt = scene.dt as f32;
     let start = Instant::now();
-    let mut timed = load(options, &scene)?;
+    let mut timed = load(options, sleeping, &scene)?;
     let loading = start.elapsed();
     let start = Instant::now();
     timed.steps(dt, options.settle);
@@ -301,6 +315,9 @@ const COLUMNS: &[Column] = &[
     }),
     ("limit_excess_rad", |line| {
         optional(line.measures.limit_excess.map(short))
+    }),
+    ("asleep", |line| {
+        line.timed.engine().counters().asleep.to_string()
     }),
 ];
 

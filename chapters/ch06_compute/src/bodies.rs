@@ -1,5 +1,7 @@
 //! The bodies of a scene as rows, for both engines of this chapter.
 
+use std::ops::Range;
+
 use ch00_maths::f32::{rotation, spin};
 use ch00_scenes::{Body, Scene, Shape, State};
 use ch05_properties::data::shape_columns;
@@ -7,6 +9,7 @@ use glam::{DQuat, DVec3, Quat, Vec3};
 
 use crate::footing::{Block, founded};
 use crate::rows::{Held, Material, Motion, Place, Push, Seen, Solid, Spin};
+use crate::simd::MOST_LANES;
 
 /// The kind of a box.
 const BOX: u32 = 1;
@@ -36,6 +39,18 @@ pub struct Bodies {
     pub before: Vec<Seen>,
     /// What they are to who looks: of a static box `place` and `solid` hold what [`founded`] makes of it.
     looks: Vec<Looks>,
+    /// What they would weigh if they were awake, by row; none where they are.
+    asleep: Vec<Option<Weight>>,
+    /// The rows that passes over bodies go through, in order: all but those of whole blocks of
+    /// [`MOST_LANES`] that sleep.
+    runs: Vec<Range<usize>>,
+}
+
+/// How hard a body is to move.
+#[derive(Clone, Copy, Debug)]
+struct Weight {
+    inverse_mass: f32,
+    inverse_inertia: Vec3,
 }
 
 /// A body as the scene has it.
@@ -80,7 +95,7 @@ impl Bodies {
     /// Makes static boxes longer where they stand on others.
     pub fn found(&mut self) {
         let is_block = |row: &usize| {
-            self.is_static(*row) && self.solid[*row].kind == BOX && self.looks[*row].is_plain
+            self.is_fixed(*row) && self.solid[*row].kind == BOX && self.looks[*row].is_plain
         };
         let rows: Vec<usize> = (0..self.rows()).filter(is_block).collect();
         let block = |&row: &usize| Block {
@@ -99,7 +114,7 @@ impl Bodies {
     /// World position of a body as the scene has it, m.
     #[must_use]
     pub fn position(&self, row: usize) -> Vec3 {
-        if self.is_static(row) {
+        if self.is_fixed(row) {
             self.looks[row].position
         } else {
             self.place[row].position
@@ -144,6 +159,12 @@ impl Bodies {
         });
         self.momentum.push(Vec3::ZERO);
         self.read_momentum(id as usize);
+        self.asleep.push(None);
+        let row = id as usize;
+        match self.runs.last_mut() {
+            Some(run) if run.end == row => run.end += 1,
+            _ => self.runs.push(row - row % MOST_LANES..row + 1),
+        }
     }
 
     /// Removes a body; those after it move up.
@@ -159,6 +180,8 @@ impl Bodies {
         self.before.remove(row);
         self.looks.remove(row);
         self.momentum.remove(row);
+        self.asleep.remove(row);
+        self.find_runs();
         for (id, solid) in self.solid.iter_mut().enumerate() {
             solid.id = id as u32;
         }
@@ -206,10 +229,22 @@ impl Bodies {
         self.attitude[row] = orientation.as_quat().normalize();
     }
 
-    /// Whether nothing moves this body.
+    /// Whether nothing moves this body: it is fixed, or sleeps.
     #[must_use]
     pub fn is_static(&self, row: usize) -> bool {
         self.spin[row].inverse_mass == 0.0 && self.solid[row].inverse_inertia == Vec3::ZERO
+    }
+
+    /// Whether nothing ever moves it.
+    #[must_use]
+    pub fn is_fixed(&self, row: usize) -> bool {
+        self.is_static(row) && !self.is_asleep(row)
+    }
+
+    /// Whether it sleeps.
+    #[must_use]
+    pub fn is_asleep(&self, row: usize) -> bool {
+        self.asleep[row].is_some()
     }
 
     /// World velocity of a point of a body, m/s.
@@ -222,6 +257,66 @@ impl Bodies {
     #[must_use]
     pub fn turned_by(&self, row: usize, turning: Vec3) -> Vec3 {
         rotation::moment(self.attitude[row], self.solid[row].inverse_inertia, turning)
+    }
+}
+
+// ANCHOR: lay_down
+impl Bodies {
+    /// A body falls asleep: it stands still, and as long as it sleeps nothing moves it. Who lays bodies down
+    /// or wakes them calls [`Self::find_runs`] after them.
+    pub fn lay_down(&mut self, row: usize) {
+        let (solid, spin) = (&mut self.solid[row], &mut self.spin[row]);
+        self.asleep[row] = Some(Weight {
+            inverse_mass: std::mem::take(&mut spin.inverse_mass),
+            inverse_inertia: std::mem::take(&mut solid.inverse_inertia),
+        });
+        self.stop(row);
+    }
+
+    /// It wakes, and weighs again what it did.
+    pub fn wake(&mut self, row: usize) {
+        if let Some(weight) = self.asleep[row].take() {
+            self.spin[row].inverse_mass = weight.inverse_mass;
+            self.solid[row].inverse_inertia = weight.inverse_inertia;
+            self.stop(row);
+        }
+    }
+
+    /// It neither moves nor turns, and nothing pushes it.
+    fn stop(&mut self, row: usize) {
+        self.motion[row].velocity = Vec3::ZERO;
+        self.spin[row].angular_velocity = Vec3::ZERO;
+        self.momentum[row] = Vec3::ZERO;
+        self.before[row] = Seen::default();
+        self.push[row] = Push::default();
+    }
+
+    /// Looks which blocks of rows passes must go through.
+    pub fn find_runs(&mut self) {
+        self.runs.clear();
+        for first in (0..self.rows()).step_by(MOST_LANES) {
+            let end = self.rows().min(first + MOST_LANES);
+            if (first..end).all(|row| self.is_asleep(row)) {
+                continue;
+            }
+            match self.runs.last_mut() {
+                Some(run) if run.end == first => run.end = end,
+                _ => self.runs.push(first..end),
+            }
+        }
+    }
+    // ANCHOR_END: lay_down
+
+    /// The rows that passes go through, in order.
+    #[must_use]
+    pub fn runs(&self) -> &[Range<usize>] {
+        &self.runs
+    }
+
+    /// How many they are.
+    #[must_use]
+    pub fn awake(&self) -> usize {
+        self.runs.iter().map(Range::len).sum()
     }
 }
 

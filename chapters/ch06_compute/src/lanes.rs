@@ -13,8 +13,11 @@ pub mod forces;
 pub mod joints;
 pub mod movers;
 pub mod pairs;
+pub mod sleep;
 pub mod threads;
 pub mod work;
+
+use std::ops::Range;
 
 use ch00_scenes::{Body, Scene, State};
 
@@ -25,10 +28,11 @@ use crate::rules::{Method, Rules};
 use crate::simd::{Eight, Real};
 use broad_phase::BroadPhase;
 use coloured::Live;
-use forces::Forces;
+use forces::{Forces, Spring};
 use joints::Joints;
 use movers::Movers;
 use pairs::Pairs;
+use sleep::Sleep;
 use threads::Threads;
 use work::{Bounces, PressAgain, Restore, Solve};
 
@@ -53,6 +57,8 @@ pub struct Lanes<R: Real = Eight> {
     pub rules: Rules,
     /// Who works.
     pub threads: Threads,
+    /// Who sleeps, if somebody may.
+    pub sleep: Sleep,
     /// By body: what its pairs did to it in this substep.
     gathered: Vec<Gathered>,
     /// By body: how it moves by now, while the colours are gone through.
@@ -79,6 +85,7 @@ impl<R: Real> Lanes<R> {
             threads: Threads::default(),
             gathered: vec![Gathered::default(); bodies.rows()],
             live: Live::default(),
+            sleep: Sleep::of(bodies.rows()),
             joints: Joints::of(scene),
             bodies,
             pairs: Pairs::default(),
@@ -91,6 +98,8 @@ impl<R: Real> Lanes<R> {
 
     /// Takes over where bodies are and how they move; what they pressed is forgotten.
     pub fn write_state(&mut self, state: &State) {
+        self.wake_all();
+        self.sleep.woken().clear();
         self.bodies.write(state);
         self.pairs = Pairs::default();
         self.joints.forget();
@@ -103,13 +112,21 @@ impl<R: Real> Lanes<R> {
         self.bodies.found();
         self.gathered.push(Gathered::default());
         self.joints.add_body();
+        self.sleep.add_body();
+        let row = self.bodies.rows() - 1;
+        if body.is_static() {
+            let near: Vec<usize> = self.broad.near(&self.bodies, row).collect();
+            self.wake(near.into_iter());
+        }
         self.broad.forget();
     }
 
     /// Removes a body that no joint and no force holds; those after it move up.
     pub fn remove_body(&mut self, row: usize) {
+        self.wake_about(row);
         self.bodies.remove(row);
         self.bodies.found();
+        self.sleep.remove_body(row);
         self.gathered.pop();
         self.pairs.remove_body(row);
         self.broad.remove_body(row);
@@ -117,19 +134,22 @@ impl<R: Real> Lanes<R> {
         self.joints.remove_body(row);
     }
 
+    /// The mouse pulls a body from now on, or lets go.
+    pub fn pull(&mut self, spring: Option<Spring>) {
+        self.wake(spring.iter().map(|spring| spring.body));
+        self.forces.mouse = spring;
+    }
+
     // ANCHOR: step
     /// A step of `dt` seconds. `done` hears of each part when it is done.
     pub fn step(&mut self, dt: f32, done: impl FnMut(&'static str) + Send) {
         let threads = self.threads.clone();
-        threads.run(self.bodies.rows(), || self.step_here(dt, done));
+        threads.run(self.bodies.awake(), || self.step_here(dt, done));
     }
 
     fn step_here(&mut self, dt: f32, mut done: impl FnMut(&'static str)) {
         let step = self.rules.step(dt, self.bodies.rows());
-        broad_phase::find_pairs(&self.bodies, dt, &mut self.broad);
-        done("broad phase");
-        self.meet(dt);
-        done("narrow phase");
+        self.find_pairs(dt, &mut done);
         self.start(&step);
         for substep in 1..=self.rules.substeps {
             match self.rules.method {
@@ -152,12 +172,30 @@ impl<R: Real> Lanes<R> {
         self.bounce(&step);
         self.pairs.write_back(self.least());
         done("restitution");
+        if self.rules.sleeping {
+            self.fall_asleep(dt);
+            done("sleep");
+        }
     }
     // ANCHOR_END: step
 
+    /// Broad and narrow phase; and again with those whom that has woken.
+    fn find_pairs(&mut self, dt: f32, done: &mut impl FnMut(&'static str)) {
+        std::mem::swap(&mut self.pairs, &mut self.last_pairs);
+        broad_phase::find_pairs(&self.bodies, dt, &mut self.broad);
+        done("broad phase");
+        self.meet(dt);
+        done("narrow phase");
+        while self.wake_touched() {
+            broad_phase::find_pairs(&self.bodies, dt, &mut self.broad);
+            self.meet(dt);
+            done("waking");
+        }
+    }
+
     /// The fewest rows that go together in a pass.
     fn least(&self) -> usize {
-        self.threads.least(self.bodies.rows())
+        self.threads.least(self.bodies.awake())
     }
 
     /// The fewest blocks of bodies that do, and batches of pairs.
@@ -167,7 +205,7 @@ impl<R: Real> Lanes<R> {
 
     /// Narrow phase over what the broad phase found.
     fn meet(&mut self, dt: f32) {
-        std::mem::swap(&mut self.pairs, &mut self.last_pairs);
+        self.last_pairs.recall(self.sleep.woken());
         let (found, last) = (&self.broad.pairs, &self.last_pairs);
         let least = self.least();
         let method = self.rules.method;
@@ -193,13 +231,24 @@ impl<R: Real> Lanes<R> {
         if self.rules.method == Method::Coloured {
             self.share_among_limits();
         }
-        for (held, sum) in self.bodies.held.iter_mut().zip(&self.gathered) {
-            *held = sum.stays;
+        for run in self.bodies.runs().to_vec() {
+            let sums = &self.gathered[run.clone()];
+            for (held, sum) in self.bodies.held[run].iter_mut().zip(sums) {
+                *held = sum.stays;
+            }
         }
-        movers::share(&mut self.bodies.motion, &self.gathered);
+        self.share();
         self.kick(step);
     }
     // ANCHOR_END: start
+
+    /// Every body's mass is shared among as many pairs as count.
+    fn share(&mut self) {
+        for run in self.bodies.runs().to_vec() {
+            let sums = &self.gathered[run.clone()];
+            movers::share(&mut self.bodies.motion[run], sums);
+        }
+    }
 
     /// Every pair, limit and loop writes its own impulses, all from the same velocities.
     fn solve_own_rows(&mut self, step: &Step) {
@@ -213,15 +262,16 @@ impl<R: Real> Lanes<R> {
     /// Every body sums what its pairs did to it, in the order of their IDs; then its limits and loops.
     fn gather(&mut self) {
         let (least, joints) = (self.least(), &self.joints);
-        gather(&self.pairs, &mut self.gathered, least, |row, sum| {
+        let runs = self.bodies.runs();
+        gather(&self.pairs, &mut self.gathered, runs, least, |row, sum| {
             joints.gather(row, sum);
         });
     }
 
     /// What its pairs did to each body.
     fn gather_pairs(&mut self) {
-        let least = self.least();
-        gather(&self.pairs, &mut self.gathered, least, |_, _| {});
+        let (least, runs) = (self.least(), self.bodies.runs());
+        gather(&self.pairs, &mut self.gathered, runs, least, |_, _| {});
     }
 
     /// Every body takes up what pulls and holds it.
@@ -280,7 +330,7 @@ impl<R: Real> Lanes<R> {
             return;
         }
         self.gather_pairs();
-        movers::share(&mut self.bodies.motion, &self.gathered);
+        self.share();
         let bodies = &self.bodies;
         self.pairs.batches.each(least, &Restore { bodies, step });
         self.gather_pairs();
@@ -297,10 +347,11 @@ impl<R: Real> Lanes<R> {
 fn gather<R: Real>(
     pairs: &Pairs<R>,
     sums: &mut [Gathered],
+    runs: &[Range<usize>],
     least: usize,
     more: impl Fn(usize, &mut Gathered) + Sync,
 ) {
-    threads::each(sums, least, |row, sum| {
+    threads::each_in(sums, runs, least, |row, sum| {
         *sum = Gathered::default();
         for &entry in pairs.of(row) {
             sum.add(&pairs.batches.press[(entry >> 1) as usize], entry & 1 == 1);

@@ -120,6 +120,8 @@ pub struct Rules {
     pub method: Method,
     /// Whether a sweep over the colours goes forth and back rather than forth alone.
     pub back: bool,
+    /// Whether islands of bodies that have come to rest sleep.
+    pub sleeping: bool,
 }
 
 impl Rules {
@@ -153,6 +155,7 @@ impl Rules {
             push_share: PUSH_SHARE,
             method,
             back: !only_balls(scene),
+            sleeping: settings.sleeping,
         })
     }
 

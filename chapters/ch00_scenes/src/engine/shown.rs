@@ -80,6 +80,8 @@ pub struct Counters {
     pub contacts: usize,
     /// Things that a capacity or an iteration limit left undone since loading.
     pub overflow: usize,
+    /// Bodies that sleep.
+    pub asleep: usize,
 }
 
 /// Time that a part of the last step took.

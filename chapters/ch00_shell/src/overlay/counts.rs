@@ -22,6 +22,9 @@ impl Section for Counts {
         rows(ui, "counters", |ui| {
             let found = format!("{} / {}", counters.pairs, counters.contacts);
             row(ui, "pairs / contacts", found);
+            if counters.asleep > 0 {
+                row(ui, "asleep", counters.asleep.to_string());
+            }
             let overflow = counters.overflow.to_string();
             warn(ui, "overflow", &overflow, counters.overflow > 0).on_hover_text(
                 "what a capacity or an iteration limit left undone since the scene was loaded",

@@ -127,9 +127,9 @@ fn computed() -> Ceiling {
 fn woken(count: usize) -> Ceiling {
     let threads = Threads::of(count).unwrap_or_default();
     let mut rows = [1.5_f32; ROWS];
-    let least = threads.least(rows.len());
     let all = middle(|| {
         threads.run(ROWS, || {
+            let least = threads.least(ROWS);
             for _ in 0..PASSES {
                 threads::each(&mut rows, least, |_, row| {
                     for _ in 0..16 {

@@ -73,7 +73,7 @@ impl ComputeEngine {
     /// [`LoadError`] for an unknown method, a setting that it lacks, what it doesn't model, no device, and
     /// more bodies than the device has room for.
     pub fn load(scene: &Scene, settings: &Settings) -> Result<Self, LoadError> {
-        ENGINE.method(settings)?;
+        settings.refuse_sleeping(ENGINE.method(settings)?.name)?;
         let rules = Rules::of(scene, settings)?;
         Rules::check_resolution(scene).map_err(|why| unsupported(ENGINE.name, scene, why))?;
         check_fixed_points(scene).map_err(|why| unsupported(ENGINE.name, scene, why))?;

@@ -250,6 +250,7 @@ impl Pairs {
             pairs: self.status[kinds] as usize,
             contacts: self.says("LIVE") as usize,
             overflow: self.says("NOT_FINITE") as usize,
+            ..Counters::default()
         }
     }
 

@@ -9,6 +9,8 @@ mod levels;
 #[cfg(test)]
 mod tests;
 
+use std::ops::Range;
+
 use ch03_collision::aabb::Aabb;
 use rayon::prelude::*;
 
@@ -85,6 +87,13 @@ impl BroadPhase {
         self.levels.sizes()
     }
 
+    /// Rows of the bodies whose boxes of the last step overlap this one's.
+    pub fn near(&self, bodies: &Bodies, row: usize) -> impl Iterator<Item = usize> {
+        let own = bound::about(bodies, row, 0.0);
+        let boxes = self.bounds.iter().enumerate();
+        boxes.filter_map(move |(other, bound)| bound.overlaps(&own).then_some(other))
+    }
+
     /// Where each body may be in the step: empty if it touches nothing.
     #[must_use]
     pub fn boxes(&self) -> Vec<Aabb> {
@@ -106,10 +115,14 @@ impl BroadPhase {
 /// The pairs that may touch within `dt`, in order of row. Two bodies that can't move are no pair, and one that
 /// isn't at a finite place has none.
 pub fn find_pairs(bodies: &Bodies, dt: f32, broad: &mut BroadPhase) {
-    // Outside of a run's threads Rayon would wake its own, as many as there are cores.
-    let threads = bodies.rows() >= THREADED && rayon::current_thread_index().is_some();
     let known = broad.rooms.len() == bodies.rows();
-    bound(bodies, dt, threads, broad);
+    let rows = if known { bodies.awake() } else { bodies.rows() };
+    // Outside of a run's threads Rayon would wake its own, as many as there are cores.
+    let threads = rows >= THREADED && rayon::current_thread_index().is_some();
+    let all = 0..bodies.rows();
+    let all = std::slice::from_ref(&all);
+    let runs = if known { bodies.runs() } else { all };
+    bound(bodies, runs, dt, threads, broad);
     if known && broad.leavers.are_few(bodies.rows(), &broad.candidates) {
         broad.reuses += 1;
         leavers::give_room(bodies, broad);
@@ -129,15 +142,15 @@ pub fn find_pairs(bodies: &Bodies, dt: f32, broad: &mut BroadPhase) {
 }
 // ANCHOR_END: find_pairs
 
-/// Where each body may be in the step, and which have left the room that they had.
-fn bound(bodies: &Bodies, dt: f32, threads: bool, broad: &mut BroadPhase) {
+/// Where each body of some runs of rows may be in the step, and which have left the room that they had.
+fn bound(bodies: &Bodies, runs: &[Range<usize>], dt: f32, threads: bool, broad: &mut BroadPhase) {
     let rows = bodies.rows();
     broad.bounds.resize(rows, Bound::EMPTY);
     broad.rooms.resize(rows, Bound::EMPTY);
     let (aside, rooms) = (&broad.aside, &broad.rooms);
-    let of_chunk = |(k, bounds): (usize, &mut [Bound])| {
+    let of_chunk = |first: usize, bounds: &mut [Bound]| {
         let (mut fast, mut leavers) = (0, Vec::new());
-        for (row, bound) in (k * CHUNK..).zip(bounds) {
+        for (row, bound) in (first..).zip(bounds) {
             *bound = if aside.is_empty() || aside.binary_search(&(row as u32)).is_err() {
                 bound::about(bodies, row, dt)
             } else {
@@ -150,13 +163,18 @@ fn bound(bodies: &Bodies, dt: f32, threads: bool, broad: &mut BroadPhase) {
         }
         (fast, leavers)
     };
-    let told: Vec<(usize, Vec<u32>)> = if threads {
-        let chunks = broad.bounds.par_chunks_mut(CHUNK).enumerate();
-        chunks.map(of_chunk).collect()
-    } else {
-        let chunks = broad.bounds.chunks_mut(CHUNK).enumerate();
-        chunks.map(of_chunk).collect()
-    };
+    let mut told: Vec<(usize, Vec<u32>)> = Vec::new();
+    for run in runs {
+        let first = |k: usize| run.start + k * CHUNK;
+        let bounds = &mut broad.bounds[run.clone()];
+        if threads {
+            let chunks = bounds.par_chunks_mut(CHUNK).enumerate();
+            told.par_extend(chunks.map(|(k, bounds)| of_chunk(first(k), bounds)));
+        } else {
+            let chunks = bounds.chunks_mut(CHUNK).enumerate();
+            told.extend(chunks.map(|(k, bounds)| of_chunk(first(k), bounds)));
+        }
+    }
     broad.fast = told.iter().map(|(fast, _)| fast).sum();
     broad
         .leavers

@@ -72,8 +72,10 @@ impl<R: Real> Lanes<R> {
 
     /// Masses are shared among limits and loops alone.
     pub(super) fn share_among_limits(&mut self) {
-        for sum in &mut self.gathered {
-            sum.counts -= sum.touches;
+        for run in self.bodies.runs() {
+            for sum in &mut self.gathered[run.clone()] {
+                sum.counts -= sum.touches;
+            }
         }
     }
 

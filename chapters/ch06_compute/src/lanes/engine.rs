@@ -9,6 +9,7 @@ use glam::Vec3;
 
 use super::Lanes;
 use super::forces::Spring;
+use super::sleep::KeptPair;
 use super::threads::{MOST_THREADS, Threads};
 use crate::own_row::contact::{Contact, touching};
 use crate::own_row::side::Side;
@@ -224,10 +225,16 @@ impl Engine for LanesEngine {
     }
 
     fn contacts(&self) -> Vec<ContactPoint> {
-        let pairs = &self.lanes.pairs;
-        (0..pairs.bodies.len())
-            .flat_map(|pair| self.contacts_of(pair))
-            .collect()
+        let (pairs, bodies) = (&self.lanes.pairs, &self.lanes.bodies);
+        let is_awake = |&pair: &usize| {
+            let (a, b) = pairs.bodies[pair];
+            !(bodies.is_static(a) && bodies.is_static(b))
+        };
+        let awake = (0..pairs.bodies.len()).filter(is_awake);
+        let awake = awake.map(|pair| KeptPair::of(pairs, pair));
+        let asleep = self.lanes.sleep.kept().iter().copied();
+        let all = awake.chain(asleep);
+        all.flat_map(|pair| self.contacts_of(&pair)).collect()
     }
 
     fn pairs(&self) -> &[(usize, usize)] {
@@ -240,6 +247,7 @@ impl Engine for LanesEngine {
             pairs: self.lanes.broad.pairs.len(),
             contacts: points.sum(),
             overflow: self.lanes.pairs.colours.without(),
+            asleep: self.lanes.sleep.asleep(),
         }
     }
 
@@ -264,19 +272,19 @@ impl Engine for LanesEngine {
     }
 
     fn pull(&mut self, pull: Option<Pull>) {
-        self.lanes.forces.mouse = pull.map(|pull| Spring {
+        self.lanes.pull(pull.map(|pull| Spring {
             body: pull.body,
             anchor: pull.anchor.as_vec3(),
             target: pull.target.as_vec3(),
             mass: self.scene.bodies[pull.body].mass as f32,
-        });
+        }));
     }
 }
 
 impl LanesEngine {
     /// The points of a pair as the overlay draws them.
-    fn contacts_of(&self, pair: usize) -> Vec<ContactPoint> {
-        match self.lanes.pairs.manifold[pair].points {
+    fn contacts_of(&self, pair: &KeptPair) -> Vec<ContactPoint> {
+        match pair.manifold.points {
             0 => Vec::new(),
             1 => self.points_of::<1>(pair),
             2 => self.points_of::<2>(pair),
@@ -286,12 +294,11 @@ impl LanesEngine {
     }
 
     /// Those of a pair that has P.
-    fn points_of<const P: usize>(&self, pair: usize) -> Vec<ContactPoint> {
-        let pairs = &self.lanes.pairs;
-        let (a, b) = pairs.bodies[pair];
+    fn points_of<const P: usize>(&self, pair: &KeptPair) -> Vec<ContactPoint> {
+        let (a, b) = pair.bodies;
         let [one, two] = [a, b].map(|row| Side::<f32>::of(&self.lanes.bodies, &[row as u32]));
-        let contact = Contact::<f32, P>::of(|_| &pairs.manifold[pair]);
-        let impulse = &pairs.impulse[pair];
+        let contact = Contact::<f32, P>::of(|_| &pair.manifold);
+        let impulse = &pair.impulse;
         let t = touching(&contact, &one, &two);
         let normal = t.normal.lane(0);
         let friction = impulse.friction / P as f32;

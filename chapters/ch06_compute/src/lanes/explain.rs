@@ -33,6 +33,10 @@ pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
         text += &explain_colours(lanes);
     }
     text += &explain_broad_phase(&lanes.broad);
+    if lanes.rules.sleeping {
+        let (asleep, islands) = (lanes.sleep.asleep(), lanes.sleep.islands());
+        let _ = writeln!(text, "{asleep} bodies sleep, in {islands} islands");
+    }
     let body = size_of::<Place>()
         + size_of::<glam::Quat>()
         + size_of::<Motion>()

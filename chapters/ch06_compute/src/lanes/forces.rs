@@ -147,6 +147,14 @@ impl Forces {
         !self.poles.is_empty() || self.mouse.is_some()
     }
 
+    /// Rows of the bodies that anything but gravity pulls, some more than once.
+    pub fn pulled(&self) -> impl Iterator<Item = usize> {
+        let poles = self.poles.iter().map(|pole| pole.body);
+        let pivots = self.pivots.iter().map(|pivot| pivot.body);
+        let mouse = self.mouse.iter().map(|spring| spring.body);
+        poles.chain(pivots).chain(mouse)
+    }
+
     /// Sums what pulls each body where it is now.
     pub fn gather(&mut self, bodies: &Bodies) {
         self.pulls.clear();

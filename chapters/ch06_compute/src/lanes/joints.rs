@@ -69,7 +69,11 @@ impl<R: Real> Joints<R> {
     pub fn solve_rows(&mut self, bodies: &Bodies, h: f32) {
         self.limits.solve(bodies, h);
         for (node, pressed) in self.trees.loops.iter_mut().zip(&mut self.pressed) {
-            let sides = [node.parent_body, node.body].map(|row| Side::of(bodies, &[row]));
+            let ends = [node.parent_body, node.body];
+            if ends.iter().any(|&row| bodies.is_asleep(row as usize)) {
+                continue;
+            }
+            let sides = ends.map(|row| Side::of(bodies, &[row]));
             *pressed = solve_loop(node, pressed, sides, h);
         }
     }
@@ -138,6 +142,22 @@ impl<R: Real> Joints<R> {
         }
     }
     // ANCHOR_END: floats
+
+    /// From now on the joints alone are solved whose bodies are awake; the others keep what they hold with.
+    pub fn group(&mut self, bodies: &Bodies) {
+        if self.is_empty() {
+            return;
+        }
+        let awake = |row: usize| !bodies.is_asleep(row);
+        self.batches.write_back(&mut self.trees.nodes);
+        self.batches = Batches::of_those(&self.trees, bodies, |nodes| {
+            nodes.iter().filter_map(Node::row).any(awake)
+        });
+        self.limits.write_back(&mut self.trees.limits);
+        self.limits.group(&self.trees.limits, |limit| {
+            awake(limit.a as usize) && awake(limit.b as usize)
+        });
+    }
 
     /// A body without joints came.
     pub fn add_body(&mut self) {

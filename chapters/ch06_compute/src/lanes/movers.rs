@@ -5,6 +5,8 @@
     reason = "a formula that isn't expanded in place passes its lanes through memory"
 )]
 
+use std::ops::Range;
+
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
@@ -40,25 +42,33 @@ impl<'b> Movers<'b> {
         Self { bodies, least }
     }
 
-    /// Does something with every block, on as many threads as there are.
+    /// Does something with every block that is awake, on as many threads as there are.
     pub fn each<R: Real>(&mut self, work: impl Fn(&mut Block<'_>) + Sync) {
+        for run in 0..self.bodies.runs().len() {
+            let rows = self.bodies.runs()[run].clone();
+            self.each_in::<R>(rows, &work);
+        }
+    }
+
+    /// Does it with the blocks of some rows.
+    fn each_in<R: Real>(&mut self, rows: Range<usize>, work: &(impl Fn(&mut Block<'_>) + Sync)) {
         let bodies = &mut *self.bodies;
         let columns = (
-            bodies.place.par_chunks_mut(R::LANES),
-            bodies.attitude.par_chunks_mut(R::LANES),
-            bodies.motion.par_chunks_mut(R::LANES),
-            bodies.spin.par_chunks_mut(R::LANES),
-            bodies.momentum.par_chunks_mut(R::LANES),
-            bodies.held.par_chunks_mut(R::LANES),
-            bodies.push.par_chunks_mut(R::LANES),
-            bodies.before.par_chunks_mut(R::LANES),
-            bodies.solid.par_chunks(R::LANES),
+            bodies.place[rows.clone()].par_chunks_mut(R::LANES),
+            bodies.attitude[rows.clone()].par_chunks_mut(R::LANES),
+            bodies.motion[rows.clone()].par_chunks_mut(R::LANES),
+            bodies.spin[rows.clone()].par_chunks_mut(R::LANES),
+            bodies.momentum[rows.clone()].par_chunks_mut(R::LANES),
+            bodies.held[rows.clone()].par_chunks_mut(R::LANES),
+            bodies.push[rows.clone()].par_chunks_mut(R::LANES),
+            bodies.before[rows.clone()].par_chunks_mut(R::LANES),
+            bodies.solid[rows.clone()].par_chunks(R::LANES),
         );
         let blocks = columns.into_par_iter().enumerate().with_min_len(self.least);
         blocks.for_each(|(block, columns)| {
             let (place, attitude, motion, spin, momentum, held, push, before, solid) = columns;
             work(&mut Block {
-                first: block * R::LANES,
+                first: rows.start + block * R::LANES,
                 place,
                 attitude,
                 motion,

@@ -4,6 +4,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelI
 
 use super::batches::{Batches, Pair};
 use super::coloured::Colours;
+use super::sleep::KeptPair;
 use super::threads;
 use crate::bodies::Bodies;
 use crate::own_row::narrow::{Posed, manifold};
@@ -72,6 +73,22 @@ impl<R: Real> Pairs<R> {
         let rows = self.starts.len().saturating_sub(2);
         self.colours.clear();
         self.fill(rows, usize::MAX);
+    }
+
+    /// Pairs that have woken are known as they were when they fell asleep. Of the pairs of a step that is past:
+    /// nothing more is read of them than what they pressed, and where.
+    pub fn recall(&mut self, woken: &mut Vec<KeptPair>) {
+        if woken.is_empty() {
+            return;
+        }
+        let mut known: Vec<_> = (0..self.bodies.len())
+            .map(|pair| KeptPair::of(self, pair))
+            .chain(woken.drain(..))
+            .collect();
+        known.sort_by_key(|pair| pair.bodies);
+        self.bodies = known.iter().map(|pair| pair.bodies).collect();
+        self.manifold = known.iter().map(|pair| pair.manifold).collect();
+        self.impulse = known.iter().map(|pair| pair.impulse).collect();
     }
 
     /// Brings what was pressed from the lanes into a row a pair. At least `least` pairs go together.

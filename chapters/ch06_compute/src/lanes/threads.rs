@@ -1,5 +1,6 @@
 //! Threads: who goes through the rows of a pass.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
@@ -54,10 +55,12 @@ impl Threads {
         }
     }
 
-    /// The fewest bodies that go together in a pass, where there are so many.
+    /// The fewest bodies that go together in a pass, where there are so many; all, for who isn't one of the
+    /// threads.
     #[must_use]
     pub fn least(&self, bodies: usize) -> usize {
-        if self.pool.is_some() && bodies >= FEWEST_BODIES {
+        let is_one = self.pool.is_some() && rayon::current_thread_index().is_some();
+        if is_one && bodies >= FEWEST_BODIES {
             LEAST_BODIES
         } else {
             usize::MAX
@@ -74,3 +77,17 @@ pub fn each<T: Send>(rows: &mut [T], least: usize, work: impl Fn(usize, &mut T) 
         .for_each(|(row, value)| work(row, value));
 }
 // ANCHOR_END: each
+
+/// The same with some of the rows.
+pub fn each_in<T: Send>(
+    rows: &mut [T],
+    runs: &[Range<usize>],
+    least: usize,
+    work: impl Fn(usize, &mut T) + Sync,
+) {
+    for run in runs {
+        each(&mut rows[run.clone()], least, |row, value| {
+            work(run.start + row, value);
+        });
+    }
+}

@@ -55,15 +55,25 @@ impl Row {
 impl Live {
     /// As the bodies move now, without pushes.
     pub fn fill(&mut self, bodies: &Bodies, least: usize) {
-        self.rows.resize_with(bodies.rows(), Row::default);
-        threads::each(&mut self.rows, least, |row, live| {
+        let fill = |row: usize, live: &mut Row| {
             let (motion, spin) = (&bodies.motion[row], &bodies.spin[row]);
             live.write(0, motion.velocity.extend(1.0).to_array());
             let turning = spin.angular_velocity.extend(spin.inverse_mass);
             live.write(1, turning.to_array());
             live.write(2, [0.0; 4]);
             live.write(3, [0.0; 4]);
-        });
+        };
+        if self.rows.len() == bodies.rows() {
+            threads::each_in(&mut self.rows, bodies.runs(), least, fill);
+        } else {
+            self.rows.resize_with(bodies.rows(), Row::default);
+            threads::each(&mut self.rows, least, fill);
+        }
+    }
+
+    /// All rows are filled next time, those that sleep too.
+    pub fn forget(&mut self) {
+        self.rows.clear();
     }
 
     /// Bodies as they are now, with their whole masses.

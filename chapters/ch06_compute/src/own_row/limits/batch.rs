@@ -25,11 +25,21 @@ struct Batch<R> {
     count: usize,
 }
 
+/// Limits of one kind that follow each other.
+#[derive(Clone, Debug)]
+struct Run<R> {
+    /// The first of them.
+    first: usize,
+    /// How many there are.
+    count: usize,
+    batches: Vec<Batch<R>>,
+}
+
 /// All limits of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Limits<R> {
-    /// By kind.
-    kinds: Vec<Vec<Batch<R>>>,
+    /// Those that are solved: a run a kind, where none sleeps.
+    runs: Vec<Run<R>>,
     /// By limit: what it does to its bodies.
     pub turned: Vec<Turned>,
 }
@@ -69,22 +79,37 @@ impl<R: Real> Limits<R> {
     /// Limits, of which those of one kind lie together. They start from the impulses that they have.
     #[must_use]
     pub fn of(limits: &[Limit]) -> Self {
-        let kinds = limits.chunk_by(|one, other| one.kind == other.kind);
-        let batches = |limits: &[Limit]| limits.chunks(R::LANES).map(Batch::of).collect();
-        Self {
-            kinds: kinds.map(batches).collect(),
+        let mut all = Self {
+            runs: Vec::new(),
             turned: vec![Turned::default(); limits.len()],
+        };
+        all.group(limits, |_| true);
+        all
+    }
+
+    /// From now on those alone are solved that are awake. They start from the impulses that they have.
+    pub fn group(&mut self, limits: &[Limit], is_awake: impl Fn(&Limit) -> bool) {
+        self.runs.clear();
+        let alike = |a: &Limit, b: &Limit| (a.kind, is_awake(a)) == (b.kind, is_awake(b));
+        let mut first = 0;
+        for limits in limits.chunk_by(alike) {
+            if is_awake(&limits[0]) {
+                self.runs.push(Run {
+                    first,
+                    count: limits.len(),
+                    batches: limits.chunks(R::LANES).map(Batch::of).collect(),
+                });
+            }
+            first += limits.len();
         }
     }
 
     // ANCHOR: solve
     /// Solves all limits; each writes its own row, in any order and on any thread.
     pub fn solve(&mut self, bodies: &Bodies, h: f32) {
-        let mut rest = &mut self.turned[..];
-        for batches in &mut self.kinds {
-            let count = batches.iter().map(|batch| batch.count).sum();
-            let (turned, others) = std::mem::take(&mut rest).split_at_mut(count);
-            rest = others;
+        for run in &mut self.runs {
+            let turned = &mut self.turned[run.first..run.first + run.count];
+            let batches = &mut run.batches;
             let solve = |(batch, turned): (&mut Batch<R>, &mut [Turned])| {
                 batch.solve(bodies, turned, h);
             };
@@ -104,26 +129,31 @@ impl<R: Real> Limits<R> {
     /// Forgets what held in the last substep.
     pub fn forget(&mut self) {
         self.turned.fill(Turned::default());
-        for batch in self.kinds.iter_mut().flatten() {
+        for batch in self.batches_mut() {
             batch.bounds.impulses = Vec3::zero();
         }
     }
 
     /// Tells the limits of the scene what held each of their turns.
     pub fn write_back(&self, limits: &mut [Limit]) {
-        let lanes = self.kinds.iter().flatten();
-        let impulses = lanes.flat_map(|batch| {
-            let impulses = batch.bounds.impulses;
-            (0..batch.count).map(move |lane| impulses.lane(lane))
-        });
-        for (limit, impulses) in limits.iter_mut().zip(impulses) {
-            limit.impulses = impulses;
+        for run in &self.runs {
+            let impulses = run.batches.iter().flat_map(|batch| {
+                let impulses = batch.bounds.impulses;
+                (0..batch.count).map(move |lane| impulses.lane(lane))
+            });
+            for (limit, impulses) in limits[run.first..].iter_mut().zip(impulses) {
+                limit.impulses = impulses;
+            }
         }
+    }
+
+    fn batches_mut(&mut self) -> impl Iterator<Item = &mut Batch<R>> {
+        self.runs.iter_mut().flat_map(|run| &mut run.batches)
     }
 
     /// A body without joints is gone: those after it have moved up.
     pub fn remove_body(&mut self, body: usize) {
-        for batch in self.kinds.iter_mut().flatten() {
+        for batch in self.batches_mut() {
             for row in batch.a.iter_mut().chain(&mut batch.b) {
                 if *row as usize > body {
                     *row -= 1;

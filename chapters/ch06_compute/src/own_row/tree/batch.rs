@@ -214,11 +214,21 @@ impl<R: Real> Batches<R> {
     /// The trees of a scene, those of one shape together. They start from the impulses of their nodes.
     #[must_use]
     pub fn of(trees: &Trees, bodies: &Bodies) -> Self {
+        Self::of_those(trees, bodies, |_| true)
+    }
+
+    /// Some of them.
+    #[must_use]
+    pub fn of_those(trees: &Trees, bodies: &Bodies, chosen: impl Fn(&[Node]) -> bool) -> Self {
         let mut batches = Self {
             seats: vec![NOWHERE; bodies.rows()],
             ..Self::default()
         };
-        for starts in of_one_shape(trees) {
+        for mut starts in of_one_shape(trees) {
+            starts.retain(|&tree| chosen(&trees.nodes[trees.trees[tree].clone()]));
+            if starts.is_empty() {
+                continue;
+            }
             let count = trees.trees[starts[0]].len();
             let starts: Vec<_> = starts.iter().map(|&tree| trees.trees[tree].start).collect();
             for starts in starts.chunks(R::LANES) {
