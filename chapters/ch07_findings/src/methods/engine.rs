@@ -76,6 +76,7 @@ fn knobs(listed: &Listed, settings: &Settings) -> Result<Knobs, LoadError> {
         let why = "the methods run on one thread".to_owned();
         return Err(refuse("threads", threads, why));
     }
+    settings.refuse_sleeping(listed.method.name)?;
     let sweeps = match (settings.sweeps, listed.sweeps) {
         (Some(sweeps), None) => {
             let why = "it makes no sweeps".to_owned();
@@ -243,7 +244,7 @@ impl Engine for Run {
         Counters {
             pairs: self.world.contacts.pairs,
             contacts: self.world.contacts.points.len(),
-            overflow: 0,
+            ..Counters::default()
         }
     }
 
