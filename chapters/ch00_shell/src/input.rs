@@ -223,7 +223,7 @@ mod tests {
     use super::*;
     use crate::clock::Pace;
     use crate::show::Show;
-    use crate::test_engine::{CHAPTER, balls};
+    use crate::test_engine::{CHAPTER, Falls, balls};
 
     #[test]
     fn delete_removes_the_picked_body() {
@@ -251,6 +251,25 @@ mod tests {
         assert_eq!((press("z", false), press("Z", true)), (10.0, 20.0));
         assert_eq!((press("z", false), press("y", false)), (10.0, 20.0));
         assert_eq!(press("x", false), 20.0);
+    }
+
+    #[test]
+    fn where_runs_are_side_by_side_keys_of_one_scene_do_nothing_and_escape_closes_them() {
+        let mut stage = Stage::new(CHAPTER, balls(2), Pace::Fixed, Show::default());
+        stage.open_beside(Falls::opening(2));
+        for key in ["t", "g", "1", "v"] {
+            act(&mut stage, &Key::Character(key));
+        }
+        act(&mut stage, &Key::Named(NamedKey::Delete));
+        assert_eq!(stage.session().scene().bodies.len(), 2);
+        assert_eq!(
+            (stage.clock().pace(), stage.show.is_any()),
+            (Pace::Fixed, false)
+        );
+        act(&mut stage, &Key::Named(NamedKey::Space));
+        assert!(stage.is_paused);
+        act(&mut stage, &Key::Named(NamedKey::Escape));
+        assert!(stage.beside.is_none());
     }
 
     #[test]

@@ -289,7 +289,7 @@ mod tests {
     use ch00_scenes::{EngineEntry, Layer, Scene, Settings};
 
     use super::*;
-    use crate::test_engine::{FALLING, RESIDENT, ball};
+    use crate::test_engine::{FALLING, Falls, RESIDENT, ball};
 
     /// A built-in scene after two steps, to be drawn as a window would.
     fn session(scene: &str, entry: EngineEntry) -> Session {
@@ -344,6 +344,38 @@ mod tests {
             picture(&session, 0.5)
         });
         look_the_same(&here, &there);
+    }
+
+    #[test]
+    fn equal_runs_side_by_side_look_the_same_each_in_its_place() {
+        let gpu = Gpu::shared().expect("a Vulkan device, such as that of mesa-vulkan-drivers");
+        let mut runs = Falls::new(2);
+        let view = View::default();
+        let mut still = Still::new(&gpu, FORMAT, SIZE, view.theme);
+        still.lay_out_beside(&mut runs);
+        let places = still.lay_out_beside(&mut runs);
+        assert_eq!(places.len(), 2, "of the third run there is nothing to see");
+        let mut drawn = || draw_beside(&gpu, &mut runs, view).expect("it can be drawn");
+        let start = drawn();
+        let [left, right] = [0, 1].map(|i| part(&start, places[i]));
+        look_the_same(&left, &right);
+        let colors: std::collections::BTreeSet<_> = left.chunks_exact(4).collect();
+        assert!(colors.len() > 100, "only {} colours", colors.len());
+        runs.sessions[1].step_by(0.7);
+        let drawn = draw_beside(&gpu, &mut runs, view).expect("it can be drawn");
+        look_the_same(&left, &part(&drawn, places[0]));
+        assert!(differences(&right, &part(&drawn, places[1])) > 50);
+    }
+
+    /// The pixels of a part of a picture.
+    fn part(pixels: &[u8], place: Viewport) -> Vec<u8> {
+        let [x, y, width, height] = [place.origin.x, place.origin.y, place.size.x, place.size.y]
+            .map(|side| side.round() as usize);
+        let row = SIZE[0] as usize * 4;
+        let rows = pixels.chunks_exact(row).skip(y).take(height);
+        rows.flat_map(|row| &row[4 * x..4 * (x + width)])
+            .copied()
+            .collect()
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! p += v Δt + ½ g Δt², v += g Δt. The method `heavy` falls twice as fast, so that tests see
 //! a change of engine, and removes no bodies, so that they see a refusal.
 
+mod beside;
 mod resident;
 mod tables;
 
@@ -17,6 +18,7 @@ use crate::chapter::Chapter;
 use crate::gpu::Gpu;
 use tables::Ids;
 
+pub(crate) use beside::Falls;
 pub(crate) use resident::{GLANCES, RESIDENT};
 pub(crate) use tables::{FARTHEST, PAIRS};
 

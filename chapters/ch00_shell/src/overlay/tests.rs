@@ -8,7 +8,7 @@ use crate::clock::Pace;
 use crate::guides::Guides;
 use crate::show::Show;
 use crate::stage::Stage;
-use crate::test_engine::{CHAPTER, GLANCES, balls, lose_device, resident_balls};
+use crate::test_engine::{CHAPTER, Falls, GLANCES, balls, lose_device, resident_balls};
 use crate::{Chapter, Session};
 
 /// Frames with a step each, then so many without; what the panels say at the end.
@@ -94,4 +94,20 @@ fn a_lost_device_without_another_engine_stops_the_scene() {
     let text = read(&mut stage);
     assert!(text.contains("No other engine can go on here"), "{text}");
     assert!(stage.is_paused);
+}
+
+#[test]
+fn runs_side_by_side_have_their_names_their_troubles_and_their_plots() {
+    let mut stage = Stage::new(CHAPTER, balls(2), Pace::Fixed, Show::default());
+    stage.open_beside(Falls::opening(2));
+    stage.step_once();
+    let text = read(&mut stage);
+    for words in ["who falls", "how far", "no fall", "it floats", "Close"] {
+        assert!(text.contains(words), "`{words}` isn't in: {text}");
+    }
+    assert_eq!(text.matches("step 1").count(), 2, "{text}");
+    assert!(!text.contains("Throw"), "{text}");
+    stage.close_beside();
+    let text = read(&mut stage);
+    assert!(text.contains("Throw") && !text.contains("a fall"), "{text}");
 }

@@ -184,3 +184,134 @@ fn choose<'a, T>(
         });
     chosen
 }
+
+#[cfg(test)]
+mod tests {
+    use ch00_scenes::Scene;
+    use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape, vec2};
+
+    use super::*;
+
+    /// The menu on a screen of its own.
+    struct Screen {
+        menu: RaceMenu,
+        session: Session,
+        context: egui::Context,
+        texts: Vec<(String, Pos2)>,
+    }
+
+    impl Screen {
+        fn new() -> Self {
+            let scene = Scene::open("pair", None, None).expect("a built-in");
+            let contender = Contender::parse("objects").expect("it is one");
+            let settings = contender.settings;
+            let mut screen = Self {
+                menu: RaceMenu::default(),
+                session: Session::new(scene, contender.entry, settings).expect("it runs"),
+                context: egui::Context::default(),
+                texts: Vec::new(),
+            };
+            screen.frame(Vec::new());
+            screen.frame(Vec::new());
+            screen
+        }
+
+        fn frame(&mut self, events: Vec<Event>) -> Option<Opening> {
+            let input = RawInput {
+                screen_rect: Some(Rect::from_min_size(Pos2::ZERO, vec2(304.0, 900.0))),
+                events,
+                ..RawInput::default()
+            };
+            let mut opening = None;
+            let mut output = self.context.run_ui(input, |ui| {
+                let wanted = self.menu.show(ui, &self.session);
+                opening = opening.take().or(wanted);
+            });
+            output.textures_delta.clear(); // nothing is painted
+            self.texts.clear();
+            for clipped in &output.shapes {
+                collect(&clipped.shape, &mut self.texts);
+            }
+            opening
+        }
+
+        fn says(&self, words: &str) -> bool {
+            self.texts.iter().any(|(text, _)| text.contains(words))
+        }
+
+        fn click(&mut self, words: &str) -> Option<Opening> {
+            let found = self.texts.iter().find(|(text, _)| text == words);
+            let pos = found.unwrap_or_else(|| panic!("no `{words}`")).1;
+            let press = |pressed| Event::PointerButton {
+                pos,
+                button: PointerButton::Primary,
+                pressed,
+                modifiers: Modifiers::NONE,
+            };
+            self.frame(vec![Event::PointerMoved(pos)]);
+            let down = self.frame(vec![press(true)]);
+            let up = self.frame(vec![press(false)]);
+            self.frame(Vec::new());
+            down.or(up)
+        }
+    }
+
+    fn collect(shape: &Shape, texts: &mut Vec<(String, Pos2)>) {
+        match shape {
+            Shape::Text(text) => {
+                let middle = text.visual_bounding_rect().center();
+                texts.push((text.galley.text().to_owned(), middle));
+            }
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| collect(shape, texts)),
+            _ => {}
+        }
+    }
+
+    fn names(opening: &Opening) -> Vec<String> {
+        let views = opening.runs.views();
+        views.into_iter().map(|view| view.name).collect()
+    }
+
+    #[test]
+    fn a_race_in_the_scene_that_is_shown_starts_with_who_was_chosen() {
+        let mut screen = Screen::new();
+        assert!(screen.says("pair, on two to four"));
+        assert!(screen.click("+ contender").is_none());
+        let opening = screen.click("Start the race").expect("all of them can");
+        assert_eq!(opening.session.scene().name, "pair");
+        let names = names(&opening);
+        assert_eq!(names.len(), 3);
+        assert!(names[0].starts_with("lanes · own-row"), "{names:?}");
+    }
+
+    #[test]
+    fn there_are_two_to_four_contenders() {
+        let mut screen = Screen::new();
+        screen.click("+ contender");
+        screen.click("+ contender");
+        assert!(!screen.says("+ contender"));
+        for _ in 0..9 {
+            screen.click("–");
+        }
+        assert_eq!(screen.menu.contenders.len(), FEWEST);
+    }
+
+    #[test]
+    fn a_race_of_the_gallery_says_what_to_watch_and_where_to_read() {
+        let mut screen = Screen::new();
+        let opening = screen.click("cradle").expect("it can be run");
+        assert_eq!(opening.session.scene().name, "cradle");
+        assert_eq!(names(&opening).len(), 4);
+        assert!(screen.says("As many balls should leave") && screen.says("ch04_ragdolls"));
+    }
+
+    #[test]
+    fn a_race_that_nobody_can_run_does_not_start_and_says_why() {
+        let mut screen = Screen::new();
+        screen.menu.contenders = ["objects@4", "properties@4"]
+            .map(|text| Contender::parse(text).expect("it is one"))
+            .to_vec();
+        assert!(screen.click("Start the race").is_none());
+        assert!(screen.says("makes whole steps"));
+    }
+}

@@ -108,7 +108,7 @@ fn numbers(runner: &Runner) -> String {
 fn length(metres: f64) -> String {
     match metres.abs() {
         0.0 => "0".to_owned(),
-        size if size < 1e-3 => format!("{:.1} µm", 1e6 * metres),
+        size if size < 0.9e-3 => format!("{:.1} µm", 1e6 * metres),
         size if size < 0.1 => format!("{:.2} mm", 1e3 * metres),
         _ => format!("{metres:.3} m"),
     }

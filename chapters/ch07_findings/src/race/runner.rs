@@ -180,3 +180,47 @@ impl Runner {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use ch00_scenes::{Body, Shape};
+    use glam::DVec3;
+
+    use super::*;
+
+    fn runner(scene: &Scene) -> Runner {
+        let contender = Contender::parse("lanes").expect("it is one");
+        Runner::new(contender, [0, 0, 0], scene)
+    }
+
+    #[test]
+    fn who_becomes_no_number_stops_and_says_when() {
+        let mut scene = Scene::new("far");
+        scene.dt = 0.5;
+        let ball = Shape::Sphere { radius: 1.0 };
+        scene.bodies = vec![Body {
+            linear_velocity: DVec3::X * 3e38, // times 1 s is just a number in f32, times 1.5 s is not
+            ..Body::new(ball, 1.0, DVec3::ZERO)
+        }];
+        let mut runner = runner(&scene);
+        assert_eq!(runner.trouble(), None);
+        for _ in 0..10 {
+            runner.step();
+            runner.measure();
+        }
+        let trouble = runner.trouble().expect("it has left all numbers");
+        assert!(trouble.starts_with("NaN at t = "), "{trouble}");
+        let session = runner.session.as_ref().expect("it was loaded");
+        assert!(session.steps() < 10);
+    }
+
+    #[test]
+    fn times_are_those_of_all_steps_but_the_first() {
+        let scene = Scene::open("bounce", None, None).expect("a built-in");
+        let mut runner = runner(&scene);
+        runner.step();
+        assert_eq!((runner.median_ms(), runner.recent_ms()), (None, None));
+        runner.step();
+        assert!(runner.median_ms().is_some() && runner.recent_ms() == runner.median_ms());
+    }
+}
