@@ -191,3 +191,43 @@ fn a_picture_that_cannot_be_written_is_named_before_the_run() {
         &["no/such/ball.png"],
     );
 }
+
+#[test]
+fn contenders_of_a_race_that_are_none_are_answered_with_what_there_is() {
+    for (contenders, words) in [
+        ("lanes", &["2 to 4", "names 1", "cradle"][..]),
+        ("lanes,lanes,lanes,lanes,lanes", &["2 to 4", "names 5"]),
+        ("lanes,gears", &["`gears`", "objects", "compute"]),
+        ("lanes,objects:magic", &["`magic`", "corrected", "printed"]),
+        ("lanes,lanes@-1", &["`lanes@-1`", "from 1"]),
+        ("lanes,objects@4", &["`objects:corrected@4`", "whole steps"]),
+    ] {
+        refuses(&["--headless", "--race", contenders], words);
+    }
+}
+
+#[test]
+fn a_race_in_a_scene_that_cannot_be_is_refused() {
+    refuses(
+        &["--headless", "--race", "lanes,objects", "--scene", "bals"],
+        &["`bals`", "balls"],
+    );
+    refuses(
+        &["--headless", "--race", "cradle", "--scene", "balls"],
+        &["cradle", "--scene balls"],
+    );
+    let picture = ["--race", "lanes,objects", "--screenshot", "no/such.png"];
+    refuses(&picture, &["no/such.png"]);
+}
+
+#[test]
+fn flags_that_a_race_has_no_use_for_are_usage_errors() {
+    for flags in [
+        ["--engine", "lanes"],
+        ["--substeps", "4"],
+        ["--dump", "a.rbd"],
+    ] {
+        let race = ["--race", "lanes,objects"];
+        is_a_usage_error(&[&race[..], &flags[..]].concat(), &["--race", flags[0]]);
+    }
+}

@@ -5,6 +5,7 @@
 
 mod bad_input;
 mod good_runs;
+mod race;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -71,6 +71,14 @@ impl Desktop {
         self.xdotool(&["key", key]);
     }
 
+    /// Drags the mouse with its left button from one pixel to another.
+    pub fn drag(&self, from: [u32; 2], to: [u32; 2]) {
+        let place = |[x, y]: [u32; 2]| [x.to_string(), y.to_string()];
+        let ([x, y], [x2, y2]) = (place(from), place(to));
+        self.xdotool(&["mousemove", &x, &y, "mousedown", "1"]);
+        self.xdotool(&["mousemove", &x2, &y2, "mouseup", "1"]);
+    }
+
     /// Gives the window another size, pixels.
     pub fn resize(&self, width: u32, height: u32) {
         let (width, height) = (width.to_string(), height.to_string());

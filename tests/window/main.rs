@@ -155,6 +155,52 @@ fn keys_show_layers_and_step_through_the_narrow_phase_of_a_pair() {
     assert!(desktop.close().success(), "the program ended with an error");
 }
 
+/// The views of a race of four.
+const VIEWS: [Area; 4] = [
+    Area::new(310, 40, 470, 220),
+    Area::new(800, 40, 470, 220),
+    Area::new(310, 310, 470, 210),
+    Area::new(800, 310, 470, 210),
+];
+
+/// What is plotted under them.
+const PLOTS: Area = Area::new(360, 555, 900, 130);
+
+#[test]
+fn a_race_has_four_views_of_one_camera_and_plots_and_escape_ends_it() {
+    let mut desktop = Desktop::with_window(&["--race", "balls"]);
+    let first = desktop.screenshot();
+    std::thread::sleep(Duration::from_secs(3));
+    desktop.press("space");
+    pause();
+    let paused = desktop.screenshot();
+    for view in VIEWS {
+        let colors = paused.colors(view);
+        assert!(colors > 200, "only {colors} colours in a view");
+        let moved = first.differences(&paused, view);
+        assert!(moved > 500, "only {moved} pixels of a view move");
+    }
+    let drawn = first.differences(&paused, PLOTS);
+    assert!(drawn > 500, "only {drawn} pixels of plots");
+    assert_panel(&paused);
+
+    desktop.drag([900, 400], [1000, 420]);
+    pause();
+    let turned = desktop.screenshot();
+    for view in VIEWS {
+        let moved = paused.differences(&turned, view);
+        assert!(moved > 5000, "a view doesn't turn with the others: {moved}");
+    }
+    desktop.press("period");
+    pause();
+    desktop.press("Escape");
+    pause();
+    let one = desktop.screenshot();
+    assert_panel(&one);
+    assert!(one.differences(&turned, SCENE) > 10_000, "Escape leaves it");
+    assert!(desktop.close().success(), "the program ended with an error");
+}
+
 #[test]
 fn a_picture_shows_layers_and_the_narrow_phase_too() {
     let folder = tempfile::tempdir().expect("a folder for pictures");

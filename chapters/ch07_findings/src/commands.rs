@@ -92,7 +92,7 @@ fn command() -> clap::Command {
     Cli::command()
         .name(CHAPTER.name)
         .about(format!("{}\n\n{}", CHAPTER.title, CHAPTER.about))
-        .after_help(examples(&CHAPTER) + &chart)
+        .after_help(examples(&CHAPTER) + &race::help(program) + &chart)
         .mut_subcommand("chart", |chart| {
             let mut text = "Charts:\n".to_owned();
             for one in known() {

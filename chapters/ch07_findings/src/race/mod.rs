@@ -15,6 +15,7 @@ mod plots;
 mod run;
 mod runner;
 
+use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use ch00_scenes::{Scene, Settings};
@@ -53,6 +54,19 @@ pub fn extras() -> Extras {
         menus: vec![Box::new(RaceMenu::default())],
         runs: None,
     }
+}
+
+/// How to start a race, for the end of `--help`.
+#[must_use]
+pub fn help(program: &str) -> String {
+    let mut text = format!(
+        "\n  {program} --race lanes:own-row@16,properties:printed --scene chain\n      \
+         run a scene on both, side by side\n\nRaces of the gallery, such as `{program} --race cradle`:"
+    );
+    for setup in gallery::GALLERY {
+        let _ = write!(text, "\n  {:<14} {}", setup.name, setup.contenders);
+    }
+    text + "\n\nCharts:"
 }
 
 /// Runs the race that the command line wants: `--race` and the flags of every run.
