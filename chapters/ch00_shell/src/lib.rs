@@ -41,4 +41,4 @@ pub use error::ShellError;
 pub use gpu::Gpu;
 pub use resident::{Drawn, Resident};
 pub use session::Session;
-pub use side_by_side::{Extras, Menu, Opening, SideBySide, View};
+pub use side_by_side::{Extras, Menu, Opening, SideBySide, Sight, View};

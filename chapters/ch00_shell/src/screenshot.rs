@@ -95,7 +95,10 @@ fn draw_beside(gpu: &Gpu, runs: &mut dyn SideBySide, view: View) -> Result<Vec<u
         return Err(ShellError::Graphics("there is no run to draw".to_owned()));
     };
     let surroundings = Surroundings::of(session.scene());
-    let camera = camera(session, &Show::default(), view, &surroundings, *place);
+    let mut camera = camera(session, &Show::default(), view, &surroundings, *place);
+    if let Some(sight) = runs.sight().filter(|_| view.angles_and_zoom.is_none()) {
+        sight.place(&mut camera, *place);
+    }
     let picture = Picture {
         session,
         alpha: 1.0,

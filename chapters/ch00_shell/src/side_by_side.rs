@@ -7,6 +7,7 @@
 use egui::{Rect, Ui, pos2, vec2};
 
 use crate::Session;
+use crate::camera::{Camera, Viewport};
 use crate::gpu::Gpu;
 
 /// Runs that are shown together.
@@ -32,11 +33,37 @@ pub trait SideBySide {
     /// The window draws with this device from now on.
     fn move_to(&mut self, gpu: &Gpu);
 
+    /// From where they are seen at the start; none for a look at all of the scene.
+    fn sight(&self) -> Option<Sight> {
+        None
+    }
+
     /// Shows what stands in the left panel, under the buttons that stop and start them.
     fn show_panel(&mut self, ui: &mut Ui);
 
     /// Shows what stands under the views.
     fn show_plots(&mut self, ui: &mut Ui);
+}
+
+/// What is worth seeing of a scene, and from where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// The lowest corner of a box that fills the picture, m.
+    pub low: [f32; 3],
+    /// Its highest corner, m.
+    pub high: [f32; 3],
+    /// Angle about the vertical, rad; 0 looks along −z.
+    pub yaw: f32,
+    /// Angle above the horizontal, rad.
+    pub pitch: f32,
+}
+
+impl Sight {
+    /// Puts a camera there.
+    pub(crate) fn place(&self, camera: &mut Camera, viewport: Viewport) {
+        (camera.yaw, camera.pitch) = (self.yaw, self.pitch);
+        camera.frame(self.low.into(), self.high.into(), viewport);
+    }
 }
 
 /// One of the runs, as it is shown.

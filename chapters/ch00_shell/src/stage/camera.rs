@@ -26,6 +26,9 @@ impl Stage {
     /// Puts the camera where it starts.
     pub fn move_camera_home(&mut self) {
         self.camera = Camera::framing(&self.surroundings, self.viewport);
+        if let Some(sight) = self.beside.as_ref().and_then(|runs| runs.sight()) {
+            sight.place(&mut self.camera, self.viewport);
+        }
         self.is_camera_moved = false;
     }
 

@@ -1,7 +1,9 @@
 //! Races worth seeing: a scene, who takes part, what to watch, and the page of the book that explains it.
 
+use ch00_shell::Sight;
+
 /// A race of the gallery.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
     /// As `--race` says it.
     pub name: &'static str,
@@ -15,6 +17,21 @@ pub struct Setup {
     pub watch: &'static str,
     /// The page of the book, and its title.
     pub page: (&'static str, &'static str),
+    /// From where it is seen, where that is nearer than all of the scene.
+    pub sight: Option<Sight>,
+}
+
+impl Setup {
+    /// Seen so that a box from corner to corner fills the picture, from these angles, rad.
+    const fn seen(mut self, low: [f32; 3], high: [f32; 3], [yaw, pitch]: [f32; 2]) -> Self {
+        self.sight = Some(Sight {
+            low,
+            high,
+            yaw,
+            pitch,
+        });
+        self
+    }
 }
 
 const fn setup(
@@ -31,6 +48,7 @@ const fn setup(
         contenders,
         watch,
         page,
+        sight: None,
     }
 }
 
@@ -58,7 +76,8 @@ pub const GALLERY: &[Setup] = &[
         "objects:printed,objects:corrected,lanes",
         "Friction should turn the sliding ball until it rolls, at 5/7 of its speed; the report left friction open, so the printed ball slides on.",
         FRICTION,
-    ),
+    )
+    .seen([-0.5, 0.0, -0.8], [11.5, 1.0, 0.8], [0.25, 0.3]),
     setup(
         "oblique",
         ("oblique", None),
@@ -72,7 +91,8 @@ pub const GALLERY: &[Setup] = &[
         "properties:printed,properties:corrected,lanes:own-row,lanes:coloured",
         "As many balls should leave as came in: watch whether those in the middle hang still.",
         RAGDOLLS,
-    ),
+    )
+    .seen([-0.75, 0.4, -0.2], [0.75, 1.02, 0.2], [0.3, 0.15]),
     setup(
         "balls",
         ("balls", Some(300)),
@@ -100,14 +120,16 @@ pub const GALLERY: &[Setup] = &[
         "properties:printed,properties:corrected,lanes@10,lanes@16",
         "Forty links hold a ball of 672 times their mass: watch the widest joint, a metre here and a tenth of a millimetre there.",
         TREES,
-    ),
+    )
+    .seen([-10.5, 1.6, -1.0], [10.5, 12.8, 1.0], [0.15, 0.1]),
     setup(
         "tunnelling",
         ("tunnelling", None),
         "objects:printed,objects:corrected,lanes",
-        "Balls of 9 to 300 m/s fly at a thin wall: count those behind it.",
+        "Balls fly at a thin wall, the slowest at 9 m/s below, the fastest at 300 m/s on top: who came through is gone, and those who were held are a bar chart.",
         LIMITS,
-    ),
+    )
+    .seen([-0.4, 0.0, -3.0], [0.4, 2.1, 3.0], [-1.1, 0.2]),
     setup(
         "ragdolls",
         ("ragdolls", Some(5)),

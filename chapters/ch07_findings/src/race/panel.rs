@@ -1,7 +1,7 @@
 //! A race as the shell shows it: a view a contender, what to watch in the left panel, and plots under the
 //! views.
 
-use ch00_shell::{Gpu, SideBySide, View};
+use ch00_shell::{Gpu, SideBySide, Sight, View};
 use egui::{RichText, Ui};
 
 use super::gallery::Setup;
@@ -37,6 +37,10 @@ impl SideBySide for Race {
         for runner in &mut self.runners {
             runner.move_to(gpu);
         }
+    }
+
+    fn sight(&self) -> Option<Sight> {
+        self.setup?.sight
     }
 
     fn show_panel(&mut self, ui: &mut Ui) {
