@@ -63,6 +63,7 @@ const LANES: (&str, &str) = ("ch06_lanes", "The same step on lanes and threads")
 
 /// The races, the simplest first.
 pub const GALLERY: &[Setup] = &[
+    // ANCHOR: gallery
     setup(
         "bounce",
         ("bounce", None),
@@ -78,6 +79,7 @@ pub const GALLERY: &[Setup] = &[
         FRICTION,
     )
     .seen([-0.5, 0.0, -0.8], [11.5, 1.0, 0.8], [0.25, 0.3]),
+    // ANCHOR_END: gallery
     setup(
         "oblique",
         ("oblique", None),
@@ -118,7 +120,7 @@ pub const GALLERY: &[Setup] = &[
         "chain",
         ("chain", Some(40)),
         "properties:printed,properties:corrected,lanes@10,lanes@16",
-        "Forty links hold a ball of 672 times their mass: watch the widest joint, a metre here and a tenth of a millimetre there.",
+        "Forty links hold a ball of 672 times their mass: watch the widest joint, more than a metre here and a fraction of a millimetre there.",
         TREES,
     )
     .seen([-10.5, 1.6, -1.0], [10.5, 12.8, 1.0], [0.15, 0.1]),
@@ -141,7 +143,7 @@ pub const GALLERY: &[Setup] = &[
         "tops",
         ("tops", None),
         "objects:printed,objects:corrected,lanes",
-        "The heavy top should precess and the free ones keep their energy: without the gyroscopic torque they do neither.",
+        "Nothing brakes these tops, so their energy should stay: the printed method turns them as no body turns, and loses almost half of it.",
         ("ch02_rigid_bodies", "Rigid bodies"),
     ),
     setup(

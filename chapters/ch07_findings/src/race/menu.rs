@@ -34,6 +34,18 @@ impl Default for RaceMenu {
     }
 }
 
+impl RaceMenu {
+    /// With those of a race that the window starts with.
+    #[must_use]
+    pub fn of(race: &Race) -> Self {
+        Self {
+            contenders: race.contenders(),
+            setup: race.setup,
+            why_not: None,
+        }
+    }
+}
+
 impl Menu for RaceMenu {
     fn name(&self) -> &'static str {
         "Race"
@@ -54,7 +66,7 @@ impl Menu for RaceMenu {
         }
         let race = match (starts, chosen) {
             (true, _) => self.race_in(session),
-            (false, Some(setup)) => of_gallery(setup),
+            (false, Some(setup)) => self.race_of(setup),
             (false, None) => return None,
         };
         self.open(race)
@@ -65,7 +77,16 @@ impl RaceMenu {
     /// A race in this session's scene, as it started.
     fn race_in(&self, session: &Session) -> Result<Race, FindingsError> {
         let scene = session.scene_at_start();
-        Ok(Race::new(scene, self.contenders.clone())?)
+        let setup = self.setup.filter(|setup| setup.scene == scene.name);
+        let race = Race::new(scene, self.contenders.clone())?;
+        Ok(setup.into_iter().fold(race, Race::to_watch))
+    }
+
+    /// A race of the gallery, whose contenders can then be changed.
+    fn race_of(&mut self, setup: &'static Setup) -> Result<Race, FindingsError> {
+        let race = of_gallery(setup)?;
+        self.contenders = race.contenders();
+        Ok(race)
     }
 
     fn open(&mut self, race: Result<Race, FindingsError>) -> Option<Opening> {
@@ -301,7 +322,12 @@ mod tests {
         let mut screen = Screen::new();
         let opening = screen.click("cradle").expect("it can be run");
         assert_eq!(opening.session.scene().name, "cradle");
-        assert_eq!(names(&opening).len(), 4);
+        let four = names(&opening);
+        assert_eq!(four.len(), 4);
+        screen.session = opening.session;
+        let again = screen.click("Start the race").expect("all of them can");
+        assert_eq!(names(&again), four);
+        assert!(again.runs.sight().is_some());
         assert!(screen.says("As many balls should leave") && screen.says("ch04_ragdolls"));
     }
 

@@ -128,10 +128,11 @@ fn of_command_line(contenders: &str, args: &Args) -> Result<Race, FindingsError>
 
 /// Opens a window on the race.
 fn open(race: Race) -> Result<(), ShellError> {
+    let menu = RaceMenu::of(&race);
     let Opening { runs, session } = opening(race)?;
     let extras = Extras {
+        menus: vec![Box::new(menu)],
         runs: Some(runs),
-        ..extras()
     };
     ch00_shell::open(&CHAPTER, session, Pace::Fixed, Show::default(), extras)
 }

@@ -102,6 +102,13 @@ impl Race {
         self.steps
     }
 
+    /// Who takes part.
+    #[must_use]
+    pub fn contenders(&self) -> Vec<Contender> {
+        let contenders = self.runners.iter().map(|runner| &runner.contender);
+        contenders.cloned().collect()
+    }
+
     /// The first contender that runs.
     #[must_use]
     pub fn first_running(&self) -> Option<(EngineEntry, Settings)> {
