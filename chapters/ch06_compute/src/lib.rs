@@ -7,6 +7,8 @@ pub mod footing;
 pub mod grid;
 pub mod lanes;
 pub mod own_row;
+#[cfg(feature = "rapier")]
+pub mod peer;
 pub mod round_trip;
 pub mod rows;
 pub mod rules;

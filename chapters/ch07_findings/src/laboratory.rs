@@ -4,6 +4,8 @@
 pub mod cell;
 pub mod charts;
 pub mod contenders;
+pub mod drift;
+pub mod floor;
 pub mod runs;
 pub mod scenario;
 pub mod scenarios;

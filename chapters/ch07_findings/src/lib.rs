@@ -25,6 +25,8 @@ pub mod methods;
 pub mod product;
 pub mod race;
 pub mod ragdoll_run;
+#[cfg(feature = "rapier")]
+mod rapier;
 pub mod rates;
 pub mod round_trip;
 pub mod stack;

@@ -49,7 +49,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 20] = [
+const MEASURED: [(&str, &str, Measure); 22] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -141,6 +141,16 @@ const MEASURED: [(&str, &str, Measure); 20] = [
         balls_on_the_gpu::product,
     ),
     (
+        "drift",
+        "energy and angular momentum against time, by every method",
+        laboratory::drift::product,
+    ),
+    (
+        "single_precision",
+        "where rounding takes over: methods in single and double precision against the rate",
+        laboratory::floor::product,
+    ),
+    (
         "substeps_on_the_gpu",
         "what a substep costs on the GPU and what it buys, from a table kept in the book",
         substeps_on_the_gpu::product,
@@ -180,6 +190,12 @@ pub fn known() -> Vec<Known> {
         .chain([all])
         .chain(scenarios)
         .collect()
+}
+
+impl std::fmt::Debug for Known {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_tuple("Known").field(&self.name).finish()
+    }
 }
 
 impl Known {

@@ -59,6 +59,22 @@ fn pages_that_scenarios_name_are_in_the_book() {
 }
 
 #[test]
+fn the_page_of_scenarios_says_of_each_what_the_code_says() {
+    let book = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src");
+    let page = std::fs::read_to_string(book.join("ch07_scenarios.md")).expect("the page");
+    for scenario in SCENARIOS {
+        let heading = format!(
+            "## {}. {}\n\n{}\n",
+            scenario.number, scenario.title, scenario.watch
+        );
+        assert!(page.contains(&heading), "{heading}");
+        let chart = format!("charts/scenario_{}.svg", scenario.name);
+        assert!(page.contains(&chart), "{chart}");
+        assert!(book.join(&chart).is_file(), "{chart}");
+    }
+}
+
+#[test]
 fn a_scenario_fails_where_its_method_does() {
     for (scenario, contender, how) in [
         ("stack", "sequential-impulses", "fell"),

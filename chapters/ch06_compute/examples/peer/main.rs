@@ -21,7 +21,6 @@
 mod errors;
 mod line;
 mod options;
-mod rapier;
 mod runner;
 
 use std::fs::File;
@@ -30,10 +29,10 @@ use std::process::ExitCode;
 
 use ch00_scenes::{EngineEntry, LoadError, Scene, Settings, State};
 
+use ch06_compute::peer::{Cone, Rapier, Setup};
 use errors::Errors;
 use line::Line;
 use options::Options;
-use rapier::{Cone, Rapier, Setup};
 use runner::{Ours, Runner};
 
 type Problem = Box<dyn std::error::Error>;
@@ -117,6 +116,7 @@ fn entrants(options: &Options, scene: &Scene) -> Result<Vec<Entrant>, Problem> {
                 threads,
                 iterations: options.iterations,
                 cone: *cone,
+                tolerant: true,
             };
             runners.push(Box::new(Rapier::load(scene, setup)?));
         }

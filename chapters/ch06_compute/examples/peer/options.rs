@@ -5,7 +5,7 @@ use std::str::FromStr;
 use ch00_scenes::{EngineEntry, Settings};
 
 use crate::Problem;
-use crate::rapier::Cone;
+use ch06_compute::peer::Cone;
 
 /// What `--engines` can name besides `rapier`, the default first.
 const ENGINES: &[EngineEntry] = &[

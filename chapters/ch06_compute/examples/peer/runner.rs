@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use ch00_scenes::{Engine, State};
+use ch06_compute::peer::{Cone, Rapier};
 
 /// What an engine says of itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,5 +61,28 @@ impl Runner for Ours {
 
     fn read(&self, state: &mut State) {
         self.engine.read_state(state);
+    }
+}
+
+impl Runner for Rapier {
+    fn facts(&self) -> Facts {
+        let setup = self.setup();
+        Facts {
+            engine: "rapier",
+            method: match setup.cone {
+                Cone::Coupled => "cones",
+                Cone::Ranges => "ranges",
+            },
+            threads: setup.threads,
+            substeps: setup.iterations,
+        }
+    }
+
+    fn steps(&mut self, count: u32, times: &mut Vec<f64>) {
+        self.inside(|world| timed(count, times, || world.step()));
+    }
+
+    fn read(&self, state: &mut State) {
+        Rapier::read(self, state);
     }
 }

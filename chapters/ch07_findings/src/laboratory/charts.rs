@@ -1,6 +1,8 @@
 //! What the laboratory shows: work against precision and error against rate of each scenario, what one per
 //! cent costs, and a table of all at 60 Hz.
 
+use std::fmt::Write as _;
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::time::Instant;
 
@@ -19,8 +21,22 @@ use crate::table::{Table, three_digits};
 const USUAL: u32 = 60;
 /// Rates that are tried in a hurry, 1/s.
 const QUICK_RATES: [u32; 2] = [60, 240];
-/// Integrators of bodies that are alone come after these.
-const SOLVERS: usize = 9;
+/// The first of the integrators of bodies that are alone.
+const FIRST_ALONE: &str = "constant-spin";
+
+/// A chart's name, what it is about, and the numbers of its scenarios.
+type Part = (&'static str, &'static str, RangeInclusive<u32>);
+
+/// The charts of what one per cent costs.
+const COSTS: [Part; 3] = [
+    ("laboratory_costs", "bodies that are alone", 1..=8),
+    ("laboratory_costs_contacts", "joints and impacts", 9..=17),
+    (
+        "laboratory_costs_crowds",
+        "crowds, towers and chains",
+        18..=24,
+    ),
+];
 
 /// All scenarios: every cell that is not in the folder's table yet is measured, then all is drawn.
 ///
@@ -28,7 +44,10 @@ const SOLVERS: usize = 9;
 /// [`FindingsError`] where a scene can't be built, or the table can't be read or written.
 pub fn product(quick: bool, folder: &Path, say: Say) -> Result<Product, FindingsError> {
     let store = measured(SCENARIOS, quick, folder, say)?;
-    let mut charts = vec![cost(&store.cells).into()];
+    let mut charts: Vec<Picture> = COSTS
+        .iter()
+        .map(|part| cost(&store.cells, part).into())
+        .collect();
     for scenario in SCENARIOS {
         charts.extend(pictures(scenario, &store.cells));
     }
@@ -80,7 +99,7 @@ fn measured(
     let mut store = Store::open(&folder.join(name))?;
     let mut missing = Vec::new();
     for scenario in scenarios {
-        for contender in &CONTENDERS {
+        for contender in CONTENDERS {
             for rate in rates(scenario, quick) {
                 if !store.has((scenario.name, contender.name, rate)) {
                     missing.push((scenario, contender, rate));
@@ -242,7 +261,7 @@ fn cost_of_one_percent(cells: &[Cell], scenario: &Scenario, contender: &Contende
     costs.min_by(f64::total_cmp)
 }
 
-fn cost(cells: &[Cell]) -> Bars {
+fn cost(cells: &[Cell], (name, what, numbers): &Part) -> Bars {
     let group = |scenario: &Scenario| Group {
         name: format!("{}. {}", scenario.number, scenario.title),
         bars: CONTENDERS
@@ -260,24 +279,29 @@ fn cost(cells: &[Cell]) -> Bars {
             .collect(),
     };
     Bars {
-        name: "laboratory_costs",
-        title:
-            "What an error of one per cent costs: µs of processor time for a second of the scene"
-                .to_owned(),
+        name,
+        title: format!(
+            "What an error of one per cent costs, {what}: µs of processor time for a second of the scene"
+        ),
         label: "powers of ten (µs)".to_owned(),
         parts: vec!["cheapest run within one per cent"],
-        groups: SCENARIOS.iter().map(group).collect(),
+        groups: SCENARIOS
+            .iter()
+            .filter(|scenario| numbers.contains(&scenario.number))
+            .map(group)
+            .collect(),
     }
 }
 
 fn costs_csv(cells: &[Cell]) -> String {
     let mut text = "scenario,contender,one per cent,unit,CPU time (s/s)\n".to_owned();
     for scenario in SCENARIOS {
-        for contender in &CONTENDERS {
+        for contender in CONTENDERS {
             let cost = cost_of_one_percent(cells, scenario, contender);
             let cost = cost.map_or("never".to_owned(), |cost| format!("{cost:e}"));
-            text += &format!(
-                "{},{},{},{},{cost}\n",
+            let _ = writeln!(
+                text,
+                "{},{},{},{},{cost}",
                 scenario.name, contender.name, scenario.one_percent, scenario.unit
             );
         }
@@ -299,7 +323,10 @@ fn told(cell: Option<&Cell>, pass: f64) -> String {
 }
 
 fn tables(cells: &[Cell]) -> String {
-    let (solvers, alone) = CONTENDERS.split_at(SOLVERS);
+    let first = CONTENDERS
+        .iter()
+        .position(|contender| contender.name == FIRST_ALONE);
+    let (solvers, alone) = CONTENDERS.split_at(first.unwrap_or(CONTENDERS.len()));
     let free = |scenario: &&Scenario| {
         let any = |contender: &Contender| !by(cells, scenario.name, contender).is_empty();
         alone.iter().any(any)
@@ -344,7 +371,7 @@ fn page(scenario: &Scenario, cells: &[Cell]) -> String {
         "µs a second",
         "",
     ]);
-    for contender in &CONTENDERS {
+    for contender in CONTENDERS {
         for cell in by(cells, scenario.name, contender) {
             table.push(vec![
                 cell.contender.clone(),

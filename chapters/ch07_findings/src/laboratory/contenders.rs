@@ -65,8 +65,21 @@ const fn usual(name: &'static str, style: Style) -> Contender {
     }
 }
 
-/// All of them, in the order of the charts.
-pub const CONTENDERS: [Contender; 14] = [
+#[cfg(feature = "rapier")]
+const fn rapier(name: &'static str, method: &'static str, style: Style) -> Contender {
+    Contender {
+        name,
+        method,
+        substeps: None,
+        engine: crate::rapier::ENGINE,
+        style,
+        ours: false,
+    }
+}
+
+/// All of them, in the order of the charts: those that solve contacts and joints, then integrators of bodies
+/// that are alone.
+pub const CONTENDERS: &[Contender] = &[
     ours("printed", ch05_properties::ENGINE, Style::Printed),
     ours("corrected", ch05_properties::ENGINE, Style::Corrected),
     ours("own-row", ch06_compute::LANES, Style::Other(0)),
@@ -84,6 +97,10 @@ pub const CONTENDERS: [Contender; 14] = [
     usual("sequential-impulses", Style::Other(2)),
     usual("soft-step", Style::Other(3)),
     usual("xpbd", Style::Other(4)),
+    #[cfg(feature = "rapier")]
+    rapier("rapier", "shipped", Style::Other(13)),
+    #[cfg(feature = "rapier")]
+    rapier("rapier tuned", "tuned", Style::Other(14)),
     usual("constant-spin", Style::Other(5)),
     usual("explicit-gyro", Style::Other(6)),
     usual("implicit-gyro", Style::Other(7)),

@@ -83,9 +83,9 @@ fn keep(joint: &SceneJoint, bodies: &Bodies, add: &mut impl FnMut(Keeps)) {
         SceneJoint::Ball {
             cone, twist, rest, ..
         } => {
-            Vec3::AXES
-                .into_iter()
-                .for_each(|axis| add(Keeps::Together(axis)));
+            for axis in Vec3::AXES {
+                add(Keeps::Together(axis));
+            }
             let rest = rest.map_or(loaded, quaternion);
             if let Some(cone) = cone {
                 add(Keeps::Cone(rest, real(cone)));
@@ -100,9 +100,9 @@ fn keep(joint: &SceneJoint, bodies: &Bodies, add: &mut impl FnMut(Keeps)) {
             range,
             ..
         } => {
-            Vec3::AXES
-                .into_iter()
-                .for_each(|axis| add(Keeps::Together(axis)));
+            for axis in Vec3::AXES {
+                add(Keeps::Together(axis));
+            }
             let (axis_a, axis_b) = (vector(axis_a).normalize(), vector(axis_b).normalize());
             let (one, two) = axis_a.any_orthonormal_pair();
             add(Keeps::Square(one, axis_b));

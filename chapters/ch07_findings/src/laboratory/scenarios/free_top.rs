@@ -46,6 +46,7 @@ const EXACT: [(f64, [f64; 4]); 4] = [
     ),
 ];
 
+// ANCHOR: scenario
 pub const SCENARIO: Scenario = Scenario {
     number: 4,
     name: "free_top",
@@ -62,6 +63,7 @@ pub const SCENARIO: Scenario = Scenario {
     steps: None,
     page: "ch02_rigid_bodies",
 };
+// ANCHOR_END: scenario
 
 /// The box of scenarios 4 and 5, with so much spin, rad/s.
 pub fn top(angular_velocity: DVec3) -> Scene {

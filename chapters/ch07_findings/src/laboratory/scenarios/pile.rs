@@ -5,7 +5,6 @@ use ch00_scenes::random::SplitMix64;
 use glam::DVec3;
 
 use super::{ball, floor, of_one_stuff};
-use crate::FindingsError;
 use crate::lab::Moment;
 use crate::laboratory::scenario::{FEW_RATES, Scenario, Verdict, Watch, timed};
 
@@ -23,13 +22,13 @@ pub const SCENARIO: Scenario = Scenario {
     one_percent: 2.16e-4,
     pass: 0.0152,
     rates: FEW_RATES,
-    scenes,
+    scenes: |rate, quick| Ok(vec![timed(scene(), rate, if quick { 3.0 } else { 10.0 })]),
     watcher: |_| Box::new(Overlaps { sum: 0.0, steps: 0 }),
     steps: None,
     page: "ch03_contacts",
 };
 
-fn scenes(rate: u32, quick: bool) -> Result<Vec<Scene>, FindingsError> {
+fn scene() -> Scene {
     let mut scene = Scene::new("pile");
     scene.bodies.push(floor(30.0));
     let mut random = SplitMix64::new(42);
@@ -40,7 +39,7 @@ fn scenes(rate: u32, quick: bool) -> Result<Vec<Scene>, FindingsError> {
         scene.bodies.push(ball(RADIUS, 10.0, at));
     }
     of_one_stuff(&mut scene, 0.0, 0.0);
-    Ok(vec![timed(scene, rate, if quick { 3.0 } else { 10.0 })])
+    scene
 }
 
 fn places() -> impl Iterator<Item = (u32, u32, u32)> {

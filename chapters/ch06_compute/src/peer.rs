@@ -1,6 +1,7 @@
-//! A scene in rapier3d: the same bodies, materials and joints, as near as it has them.
+//! A scene in rapier3d: the same bodies, materials and joints, as near as it has them. For comparisons; behind
+//! the feature `rapier`.
 
-use ch00_scenes::{Body, EulerLimits, Joint, Scene, Shape, State};
+use ch00_scenes::{Body, EulerLimits, Force, Joint, Scene, Shape, State};
 use glam::{DQuat, DVec3};
 use rapier3d::prelude::{
     CoefficientCombineRule, ColliderBuilder, GenericJoint, GenericJointBuilder, JointAxesMask,
@@ -9,16 +10,20 @@ use rapier3d::prelude::{
 };
 use rapier3d::rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::Problem;
-use crate::runner::{Facts, Runner, timed};
+/// Why a scene can't be had.
+type Problem = Box<dyn std::error::Error>;
 
 /// How rapier is set up.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup {
+    /// Who step.
     pub threads: u32,
     /// Its substeps, which it calls solver iterations.
     pub iterations: u32,
+    /// How it hears of cones.
     pub cone: Cone,
+    /// Its own tolerances: false takes them to 0, so that it mends what it would leave alone.
+    pub tolerant: bool,
 }
 
 /// How a ball joint's cone is told to rapier.
@@ -45,14 +50,18 @@ impl Rapier {
     /// # Errors
     /// What the scene has that rapier hasn't; no threads.
     pub fn load(scene: &Scene, setup: Setup) -> Result<Self, Problem> {
-        if !(scene.forces.is_empty() && scene.orbits.is_empty()) {
-            return Err("only bodies and joints are translated for rapier".into());
+        let known = |force: &Force| matches!(force, Force::FixedPoint { .. });
+        if !(scene.forces.iter().all(known) && scene.orbits.is_empty()) {
+            return Err("rapier is told of bodies, joints and fixed points only".into());
         }
         let mut world = PhysicsWorld::new();
         world.gravity = vector(scene.gravity);
         world.integration_parameters.dt = scene.dt as f32;
         world.integration_parameters.num_solver_iterations = setup.iterations as usize;
         world.integration_parameters.max_ccd_substeps = 0;
+        if !setup.tolerant {
+            world.integration_parameters.normalized_allowed_linear_error = 0.0;
+        }
         let handles: Vec<_> = scene
             .bodies
             .iter()
@@ -62,6 +71,11 @@ impl Rapier {
             let (a, b) = joint.bodies();
             let joint = generic_joint(scene, joint, setup.cone);
             world.insert_impulse_joint(handles[a], handles[b], joint);
+        }
+        for force in &scene.forces {
+            if let &Force::FixedPoint { body, arm } = force {
+                hold(&mut world, handles[body], &scene.bodies[body], arm);
+            }
         }
         let pool = ThreadPoolBuilder::new().num_threads(setup.threads as usize);
         Ok(Self {
@@ -73,26 +87,21 @@ impl Rapier {
     }
 }
 
-impl Runner for Rapier {
-    fn facts(&self) -> Facts {
-        Facts {
-            engine: "rapier",
-            method: match self.setup.cone {
-                Cone::Coupled => "cones",
-                Cone::Ranges => "ranges",
-            },
-            threads: self.setup.threads,
-            substeps: self.setup.iterations,
-        }
+impl Rapier {
+    /// How it was set up.
+    #[must_use]
+    pub fn setup(&self) -> Setup {
+        self.setup
     }
 
-    fn steps(&mut self, count: u32, times: &mut Vec<f64>) {
+    /// Does something inside its threads, so that no step pays for the way there.
+    pub fn inside<T: Send>(&mut self, work: impl FnOnce(&mut PhysicsWorld) -> T + Send) -> T {
         let world = &mut self.world;
-        // Inside its threads, so that no step pays for the way there.
-        self.pool.install(|| timed(count, times, || world.step()));
+        self.pool.install(|| work(world))
     }
 
-    fn read(&self, state: &mut State) {
+    /// Writes where every body is, in the scene's order.
+    pub fn read(&self, state: &mut State) {
         state.clear();
         for handle in &self.handles {
             let body = &self.world.bodies[*handle];
@@ -157,6 +166,18 @@ fn solid(shape: Shape) -> ColliderBuilder {
 }
 
 // Joints.
+
+/// Holds a body at a point of the world, by a joint to a body that has no solid.
+fn hold(world: &mut PhysicsWorld, handle: RigidBodyHandle, body: &Body, arm: DVec3) {
+    let point = body.position - body.orientation * arm;
+    let nothing = RigidBodyBuilder::fixed().translation(vector(point));
+    let nothing = world.bodies.insert(nothing);
+    let joint = GenericJointBuilder::new(JointAxesMask::LOCKED_SPHERICAL_AXES)
+        .local_anchor1(Vector::ZERO)
+        .local_anchor2(vector(-arm))
+        .build();
+    world.insert_impulse_joint(nothing, handle, joint);
+}
 
 fn generic_joint(scene: &Scene, joint: &Joint, cone: Cone) -> GenericJoint {
     let builder = match joint {
@@ -276,5 +297,4 @@ fn pose(position: DVec3, orientation: DQuat) -> Pose {
 }
 
 #[cfg(test)]
-#[path = "rapier_tests.rs"]
 mod tests;

@@ -9,13 +9,18 @@ fn setup(cone: Cone) -> Setup {
         threads: 1,
         iterations: 4,
         cone,
+        tolerant: true,
     }
 }
 
 /// After so many steps.
 fn after(scene: &Scene, setup: Setup, steps: u32) -> State {
     let mut engine = Rapier::load(scene, setup).unwrap();
-    engine.steps(steps, &mut Vec::new());
+    engine.inside(|world| {
+        for _ in 0..steps {
+            world.step();
+        }
+    });
     let mut state = State::default();
     engine.read(&mut state);
     state
