@@ -58,6 +58,7 @@ pub const SCENARIOS: &[Scenario] = &[
     ball_and_chain::SCENARIO,
     tunnelling::SCENARIO,
     ragdoll_pile::SCENARIO,
+    ragdoll_pile::HITCHES,
 ];
 
 /// m/s².

@@ -30,6 +30,25 @@ pub const SCENARIO: Scenario = Scenario {
     page: "ch04_ragdolls",
 };
 
+/// Every second one step takes a tenth of a second, as if something else had stopped the program.
+pub const HITCHES: Scenario = Scenario {
+    name: "ragdoll_hitches",
+    title: "Three ragdolls, and a hitch of 100 ms every second",
+    watch: "A long step among short ones hits a solver that stores impulses, and one that stores places, where they least expect it.",
+    steps: Some(hitched),
+    ..SCENARIO
+};
+
+/// Ten seconds of equal steps, the last of each second but the tenth 100 ms long.
+fn hitched(rate: u32) -> Vec<f64> {
+    let dt = f64::from(rate).recip();
+    let usual = vec![dt; (0.9 * f64::from(rate)).round() as usize];
+    let second = [usual, vec![0.1]].concat();
+    let mut steps = second.repeat(SECONDS as usize - 1);
+    steps.extend(vec![dt; rate as usize]);
+    steps
+}
+
 struct Survival {
     scene: Scene,
     /// At the start, J.
