@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn an_unknown_chart_is_answered_with_the_known_ones() {
-        let error = chosen(&["tabel1".to_owned()]).expect_err("there is none");
+        let error = chosen(&["tabel1".to_owned()]).err().expect("there is none");
         let message = error.to_string();
         for word in ["`tabel1`", "table1", "bounce", "erratum_12"] {
             assert!(message.contains(word), "{message}");

@@ -147,6 +147,21 @@ pub const GALLERY: &[Setup] = &[
         ("ch02_rigid_bodies", "Rigid bodies"),
     ),
     setup(
+        "gyroscope",
+        ("tops", None),
+        "methods:constant-spin,methods:explicit-gyro,methods:implicit-gyro,methods:splitting",
+        "Four ways to turn a body that is no ball: one turns it evenly, one ends in no number, one brakes it, and one is right.",
+        ERRATA,
+    ),
+    setup(
+        "solvers",
+        ("chain", Some(40)),
+        "properties:corrected,methods:sequential-impulses,methods:xpbd,lanes@16",
+        "The same chain by what is in use elsewhere: watch the widest joint, and how much of its height the ball comes back to.",
+        TREES,
+    )
+    .seen([-10.5, 1.6, -1.0], [10.5, 12.8, 1.0], [0.15, 0.1]),
+    setup(
         "pile",
         ("pile", Some(2000)),
         "properties,lanes:own-row,lanes:coloured",
