@@ -228,16 +228,9 @@ impl<R: Real> Lanes<R> {
         let work = PressAgain { bodies, h: step.h };
         self.pairs.batches.each(least, &work);
         self.gather();
-        if self.rules.method == Method::Coloured {
-            self.share_among_limits();
-        }
-        for run in self.bodies.runs().to_vec() {
-            let sums = &self.gathered[run.clone()];
-            for (held, sum) in self.bodies.held[run].iter_mut().zip(sums) {
-                *held = sum.stays;
-            }
-        }
-        self.share();
+        let least = self.least_in_lanes();
+        let gathered = &self.gathered;
+        Movers::of(&mut self.bodies, least).each::<R>(|block| block.start(gathered));
         self.kick(step);
     }
     // ANCHOR_END: start
@@ -262,9 +255,13 @@ impl<R: Real> Lanes<R> {
     /// Every body sums what its pairs did to it, in the order of their IDs; then its limits and loops.
     fn gather(&mut self) {
         let (least, joints) = (self.least(), &self.joints);
+        let whole = self.rules.method == Method::Coloured;
         let runs = self.bodies.runs();
         gather(&self.pairs, &mut self.gathered, runs, least, |row, sum| {
             joints.gather(row, sum);
+            if whole {
+                sum.share_among_limits();
+            }
         });
     }
 

@@ -123,9 +123,9 @@ pub struct Pair<'p> {
     /// Where they touch.
     pub manifold: &'p Manifold,
     /// Of what they are there.
-    pub material: Material,
+    pub material: &'p Material,
     /// What they pressed in the last step.
-    pub impulse: Impulse,
+    pub impulse: &'p Impulse,
 }
 
 /// What sorts of pairs there are: balls and others by their points, then by
@@ -179,10 +179,10 @@ impl<R: Real> Batches<R> {
     ) {
         let least = least / R::LANES;
         let sorts = Sorts { colours, alone };
+        let sort_of: Vec<u32> = (0..count).map(|k| sorts.of(&pair(k)) as u32).collect();
         let mut firsts = vec![0; sorts.count() + 1];
-        for k in 0..count {
-            let sort = sorts.of(&pair(k));
-            firsts[sort] += sorts.rows(sort, R::LANES);
+        for &sort in &sort_of {
+            firsts[sort as usize] += sorts.rows(sort as usize, R::LANES);
         }
         let mut rows = 0;
         for first in &mut firsts {
@@ -193,15 +193,14 @@ impl<R: Real> Batches<R> {
         let mut next = firsts.clone();
         let mut order = vec![u32::MAX; rows];
         self.place.clear();
-        for k in 0..count {
-            let sort = sorts.of(&pair(k));
-            self.place.push(next[sort] as u32);
-            order[next[sort]] = k as u32;
-            next[sort] += sorts.rows(sort, R::LANES);
+        for (k, &sort) in sort_of.iter().enumerate() {
+            let next = &mut next[sort as usize];
+            self.place.push(*next as u32);
+            order[*next] = k as u32;
+            *next += sorts.rows(sort as usize, R::LANES);
         }
         // ANCHOR_END: sort
         self.part(sorts, &firsts);
-        self.press.clear();
         self.press.resize(rows, Press::default());
         let of = |points: usize| firsts[sorts.first(points, 0)]..firsts[sorts.first(points + 1, 0)];
         fill(&mut self.balls, least, &order[of(0)], &pair);
@@ -307,8 +306,8 @@ fn fill<'p, R: Real, const P: usize>(
         let pairs: [_; MOST_LANES] = array_of(|lane| pair(lane.min(R::LANES - 1)));
         Batch {
             rows: [
-                pairs.map(|pair| pair.bodies.0),
-                pairs.map(|pair| pair.bodies.1),
+                array_of(|lane| pairs[lane].bodies.0),
+                array_of(|lane| pairs[lane].bodies.1),
             ],
             moves: [0, 1].map(|side| {
                 let real = |lane: &usize| lanes[*lane] != u32::MAX && pairs[*lane].moves[side];

@@ -45,7 +45,6 @@ impl<R: Real> Lanes<R> {
             self.joints.solve_rows(&self.bodies, step.h);
             self.gather();
         }
-        self.share_among_limits();
     }
 
     fn sweep(&mut self, colour: usize, [again, ends]: [bool; 2], step: &Step) {
@@ -67,15 +66,6 @@ impl<R: Real> Lanes<R> {
             usize::MAX
         } else {
             self.least_in_lanes()
-        }
-    }
-
-    /// Masses are shared among limits and loops alone.
-    pub(super) fn share_among_limits(&mut self) {
-        for run in self.bodies.runs() {
-            for sum in &mut self.gathered[run.clone()] {
-                sum.counts -= sum.touches;
-            }
         }
     }
 

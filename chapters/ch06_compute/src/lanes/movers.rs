@@ -91,6 +91,15 @@ pub fn share(motion: &mut [Motion], sums: &[Gathered]) {
 }
 
 impl Block<'_> {
+    /// Takes over what the pairs of a new step give.
+    pub fn start(&mut self, gathered: &[Gathered]) {
+        let sums = &gathered[self.first..self.first + self.place.len()];
+        for (held, sum) in self.held.iter_mut().zip(sums) {
+            *held = sum.stays;
+        }
+        share(self.motion, sums);
+    }
+
     /// Starts a substep: what pulls and holds each body.
     pub fn kick<R: Real>(&mut self, pulls: &[Pull], joints: &Joints<R>, step: &Step) {
         let mut moving = self.load::<R>();

@@ -1,13 +1,15 @@
 //! The pairs of a step: where they touch, and what they pressed in the last step.
 
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
+use rayon::iter::{
+    IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
+};
 
 use super::batches::{Batches, Pair};
 use super::coloured::Colours;
 use super::sleep::KeptPair;
 use super::threads;
 use crate::bodies::Bodies;
-use crate::own_row::narrow::{Posed, manifold};
+use crate::own_row::narrow::{Posed, put_manifold};
 use crate::rows::{Impulse, Manifold, Material};
 use crate::rules::{MARGIN, Method};
 use crate::simd::Real;
@@ -99,13 +101,6 @@ impl<R: Real> Pairs<R> {
         });
     }
 
-    fn clear(&mut self) {
-        self.bodies.clear();
-        self.manifold.clear();
-        self.material.clear();
-        self.impulse.clear();
-    }
-
     /// Puts the pairs into lanes, and lists those of each of so many bodies. At least `least` pairs go
     /// together.
     fn fill(&mut self, rows: usize, least: usize) {
@@ -119,8 +114,8 @@ impl<R: Real> Pairs<R> {
                     moves,
                     colour,
                     manifold: &self.manifold[pair],
-                    material: self.material[pair],
-                    impulse: self.impulse[pair],
+                    material: &self.material[pair],
+                    impulse: &self.impulse[pair],
                 }
             });
         list(rows, self);
@@ -139,19 +134,19 @@ pub fn meet<R: Real>(
     pairs: &mut Pairs<R>,
     least: usize,
 ) {
-    pairs.clear();
     let mut met = std::mem::take(&mut pairs.met);
     met.resize_with(found.len().div_ceil(least.max(1)), Met::default);
     let some = found.chunks(least.min(found.len()).max(1));
     met.par_iter_mut()
         .zip(some.collect::<Vec<_>>())
         .for_each(|(met, found)| met.meet(found, bodies, dt, last));
-    if let [all] = &mut met[..] {
-        all.swap_with(pairs);
-    }
-    if met.len() > 1 {
-        for some in &met {
-            some.append_to(pairs);
+    match &mut met[..] {
+        [all] => all.swap_with(pairs),
+        some => {
+            join(some, |met| &met.bodies, &mut pairs.bodies);
+            join(some, |met| &met.manifold, &mut pairs.manifold);
+            join(some, |met| &met.material, &mut pairs.material);
+            join(some, |met| &met.impulse, &mut pairs.impulse);
         }
     }
     pairs.met = met;
@@ -163,6 +158,28 @@ pub fn meet<R: Real>(
     pairs.fill(bodies.rows(), least);
 }
 // ANCHOR_END: meet
+
+/// Puts a column of some pairs behind that of those before them.
+fn join<T: Copy + Default + Send + Sync>(
+    met: &[Met],
+    column: impl Fn(&Met) -> &Vec<T> + Sync,
+    all: &mut Vec<T>,
+) {
+    all.resize(
+        met.iter().map(|some| column(some).len()).sum(),
+        T::default(),
+    );
+    let mut rest = &mut all[..];
+    let places = met.iter().map(|some| {
+        let (own, others) = std::mem::take(&mut rest).split_at_mut(column(some).len());
+        rest = others;
+        own
+    });
+    let places: Vec<_> = places.collect();
+    met.par_iter()
+        .zip(places)
+        .for_each(|(some, place)| place.copy_from_slice(column(some)));
+}
 
 /// What came of some of the pairs that were found.
 #[derive(Clone, Debug, Default)]
@@ -182,13 +199,6 @@ impl Met {
         std::mem::swap(&mut self.impulse, &mut pairs.impulse);
     }
 
-    fn append_to<R: Real>(&self, pairs: &mut Pairs<R>) {
-        pairs.bodies.extend_from_slice(&self.bodies);
-        pairs.manifold.extend_from_slice(&self.manifold);
-        pairs.material.extend_from_slice(&self.material);
-        pairs.impulse.extend_from_slice(&self.impulse);
-    }
-
     fn meet<R: Real>(
         &mut self,
         found: &[(usize, usize)],
@@ -197,38 +207,39 @@ impl Met {
         last: &Pairs<R>,
     ) {
         self.bodies.clear();
-        self.manifold.clear();
         self.material.clear();
-        self.impulse.clear();
         let first = found.first().copied().unwrap_or_default();
         let mut old = last.bodies.partition_point(|pair| *pair < first);
         for &(a, b) in found {
-            let m = manifold(
-                &posed(bodies, a),
-                &posed(bodies, b),
-                margin(bodies, a, b, dt),
-            );
+            let met = self.bodies.len();
+            if self.manifold.len() == met {
+                self.manifold.push(Manifold::default());
+                self.impulse.push(Impulse::default());
+            }
+            let (m, impulse) = (&mut self.manifold[met], &mut self.impulse[met]);
+            let near = margin(bodies, a, b, dt);
+            put_manifold(m, &posed(bodies, a), &posed(bodies, b), near);
             if m.points == 0 {
                 continue;
             }
             while old < last.bodies.len() && last.bodies[old] < (a, b) {
                 old += 1;
             }
-            let known = last.bodies.get(old) == Some(&(a, b));
-            self.impulse.push(if known {
-                carry(&last.manifold[old], &last.impulse[old], &m)
-            } else {
-                Impulse::default()
-            });
+            *impulse = Impulse::default();
+            if last.bodies.get(old) == Some(&(a, b)) {
+                carry(&last.manifold[old], &last.impulse[old], m, impulse);
+            }
             self.bodies.push((a, b));
-            self.manifold.push(m);
             self.material
                 .push(between(&bodies.material[a], &bodies.material[b]));
         }
+        self.manifold.truncate(self.bodies.len());
+        self.impulse.truncate(self.bodies.len());
     }
 }
 
 /// A body as the narrow phase sees it.
+#[inline]
 fn posed(bodies: &Bodies, row: usize) -> Posed {
     Posed {
         position: bodies.place[row].position,
@@ -239,6 +250,7 @@ fn posed(bodies: &Bodies, row: usize) -> Posed {
 }
 
 /// How far apart two bodies may be and still be a pair: what they may come nearer in the step, m.
+#[inline]
 fn margin(bodies: &Bodies, a: usize, b: usize, dt: f32) -> f32 {
     let speed = (bodies.motion[b].velocity - bodies.motion[a].velocity).length();
     let tips = [a, b].map(|row| {
@@ -254,9 +266,8 @@ fn margin(bodies: &Bodies, a: usize, b: usize, dt: f32) -> f32 {
 }
 
 // ANCHOR: carry
-/// The impulses of the last step on the points of this one: those of the same feature.
-fn carry(old: &Manifold, impulse: &Impulse, new: &Manifold) -> Impulse {
-    let mut carried = Impulse::default();
+/// The impulses of the last step on the points of this one: those of the same feature. The others stay.
+fn carry(old: &Manifold, impulse: &Impulse, new: &Manifold, carried: &mut Impulse) {
     for k in 0..new.points as usize {
         for j in 0..old.points as usize {
             if old.core_a[j].w.to_bits() == new.core_a[k].w.to_bits() {
@@ -267,11 +278,11 @@ fn carry(old: &Manifold, impulse: &Impulse, new: &Manifold) -> Impulse {
             }
         }
     }
-    carried
 }
 // ANCHOR_END: carry
 
 /// The material of a pair.
+#[inline]
 #[must_use]
 pub fn between(a: &Material, b: &Material) -> Material {
     Material {

@@ -201,6 +201,11 @@ impl Gathered {
         self.touches += press.counts;
     }
 
+    /// Shares the mass among limits and loops alone: pairs that come one after another have it whole.
+    pub fn share_among_limits(&mut self) {
+        self.counts -= self.touches;
+    }
+
     /// Adds a limit in which the body is b, or a.
     pub fn add_turned(&mut self, turned: &Turned, is_b: bool) {
         let sign = if is_b { 1.0 } else { -1.0 };

@@ -63,11 +63,13 @@ pub struct Surface<R> {
 impl<R: Real> Surface<R> {
     /// What `material` gives for each lane.
     #[inline(always)]
-    pub fn of(material: impl Fn(usize) -> Material) -> Self {
+    pub fn of<'m>(material: impl Fn(usize) -> &'m Material) -> Self {
+        let [restitution, friction, static_friction, _] =
+            R::of_rows(|lane| bytemuck::cast(*material(lane)));
         Self {
-            restitution: R::of(|lane| material(lane).restitution),
-            friction: R::of(|lane| material(lane).friction),
-            static_friction: R::of(|lane| material(lane).static_friction),
+            restitution,
+            friction,
+            static_friction,
         }
     }
 }
@@ -96,11 +98,19 @@ impl<R: Real, const P: usize> Default for Impulses<R, P> {
 impl<R: Real, const P: usize> Impulses<R, P> {
     /// What `impulse` gives for each lane.
     #[inline(always)]
-    pub fn of(impulse: impl Fn(usize) -> Impulse) -> Self {
+    pub fn of<'i>(impulse: impl Fn(usize) -> &'i Impulse) -> Self {
+        let row = |k: usize| {
+            R::of_rows(|lane| {
+                let rows: &[[f32; 4]; 2] = bytemuck::cast_ref(impulse(lane));
+                rows[k]
+            })
+        };
+        let normal = row(0);
+        let [x, y, z, twist] = row(1);
         Self {
-            normal: array_of(|k| R::of(|lane| impulse(lane).normal[k])),
-            friction: Vec3::of(|lane| impulse(lane).friction),
-            twist: R::of(|lane| impulse(lane).twist),
+            normal: array_of(|k| normal[k]),
+            friction: Vec3::new(x, y, z),
+            twist,
         }
     }
 

@@ -40,6 +40,17 @@ pub struct Posed {
     pub size: Vec3,
 }
 
+/// [`manifold`], in its place. A ball's is put together there: made elsewhere and copied at once, its numbers
+/// would have to be waited for.
+#[inline]
+pub fn put_manifold(place: &mut Manifold, a: &Posed, b: &Posed, margin: f32) {
+    match pair_kind(a.kind, b.kind) {
+        0 => *place = manifold_of_kind(0, a, b, margin),
+        1 => *place = manifold_of_kind(1, a, b, margin),
+        kind => *place = manifold_of_kind(kind, a, b, margin),
+    }
+}
+
 // ANCHOR: pair_kind
 /// How many kinds of pairs there are.
 pub const PAIR_KINDS: u32 = 10;
@@ -63,16 +74,21 @@ pub fn manifold(a: &Posed, b: &Posed, margin: f32) -> Manifold {
 
 // ANCHOR: manifold_of_kind
 /// [`manifold`], for a pair whose kind is known.
+#[inline(always)]
 #[must_use]
 pub fn manifold_of_kind(kind: u32, a: &Posed, b: &Posed, margin: f32) -> Manifold {
     let swapped = a.kind > b.kind;
     let (first, second) = if swapped { (b, a) } else { (a, b) };
     let mut m = in_order(kind, first, second, margin);
     m.kind = kind;
-    if swapped { flipped(&m) } else { m }
+    if swapped {
+        m = flipped(&m);
+    }
+    m
 }
 
 /// [`manifold_of_kind`], for a pair whose first body has the smaller kind.
+#[inline(always)]
 fn in_order(kind: u32, a: &Posed, b: &Posed, margin: f32) -> Manifold {
     let d = b.position - a.position;
     match kind {
@@ -112,6 +128,7 @@ fn in_order(kind: u32, a: &Posed, b: &Posed, margin: f32) -> Manifold {
 
 // ANCHOR: flipped
 /// The same pair seen from the other body.
+#[inline(always)]
 fn flipped(m: &Manifold) -> Manifold {
     let mut other = *m;
     other.normal = -m.normal;

@@ -28,13 +28,24 @@ impl<R: Real, const P: usize> Contact<R, P> {
     /// What `manifold` gives for each lane; all have P points and turn alike.
     #[inline(always)]
     pub fn of<'m>(manifold: impl Fn(usize) -> &'m Manifold) -> Self {
+        let row = |k: usize| {
+            R::of_rows(|lane| {
+                let rows: &[[f32; 4]; 10] = bytemuck::cast_ref(manifold(lane));
+                rows[k]
+            })
+        };
+        let vector = |k: usize| {
+            let [x, y, z, _] = row(k);
+            Vec3::new(x, y, z)
+        };
+        let [round_a, round_b, ..] = row(1);
         Self {
             turns: manifold(0).turns,
-            normal: Vec3::of(|lane| manifold(lane).normal),
-            round_a: R::of(|lane| manifold(lane).round_a),
-            round_b: R::of(|lane| manifold(lane).round_b),
-            core_a: array_of(|k| Vec3::of(|lane| manifold(lane).core_a[k].truncate())),
-            core_b: array_of(|k| Vec3::of(|lane| manifold(lane).core_b[k].truncate())),
+            normal: vector(0),
+            round_a,
+            round_b,
+            core_a: array_of(|k| vector(2 + k)),
+            core_b: array_of(|k| vector(6 + k)),
         }
     }
 }

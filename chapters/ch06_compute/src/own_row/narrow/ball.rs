@@ -14,6 +14,7 @@ pub const SAME: f32 = 1e-6;
 
 /// The row of a ball and the point `core_b` of b, in b's own axes. `normal` is in them if it turns with
 /// b, else in the world.
+#[inline(always)]
 fn one_point(radius: f32, round_b: f32, normal: Vec3, turns: u32, core_b: Vec3) -> Manifold {
     let mut m = Manifold {
         normal,
@@ -30,6 +31,7 @@ fn one_point(radius: f32, round_b: f32, normal: Vec3, turns: u32, core_b: Vec3) 
 
 // ANCHOR: ball_ball
 /// Two balls; b's centre is at `d`.
+#[inline(always)]
 #[must_use]
 pub fn ball_ball(r1: f32, r2: f32, d: Vec3, margin: f32) -> Manifold {
     let distance = d.length();
@@ -65,6 +67,7 @@ pub fn ball_capsule(a: &Posed, b: &Core, margin: f32) -> Manifold {
 
 // ANCHOR: ball_box
 /// A ball and a box: the ball's centre is clamped to the box. A centre inside leaves by the nearest face.
+#[inline(always)]
 #[must_use]
 pub fn ball_box(a: &Posed, b: &Core, margin: f32) -> Manifold {
     let radius = a.size.x;
