@@ -9,8 +9,9 @@
 //! What is left lying is measured from scene and state alone. Lines go to the standard output and, with
 //! `--csv`, into a file. With `--sleeping` a second heap of each size may sleep; it has a second line.
 
-use std::fs::File;
-use std::io::Write as _;
+#[path = "shared/table.rs"]
+mod table;
+
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -18,6 +19,7 @@ use ch00_scenes::measures::Measures;
 use ch00_scenes::{Engine, EngineEntry, Scene, Settings, State};
 use ch01_hierarchy::styles::report::processor;
 use ch06_compute::compute::ComputeEngine;
+use table::{Column, Problem, Table, short};
 
 /// What `--engine` can name, the default first.
 const ENGINES: &[EngineEntry] = &[
@@ -30,34 +32,17 @@ const ENGINES: &[EngineEntry] = &[
 /// Of the timed steps.
 const BATCHES: u32 = 5;
 
-type Problem = Box<dyn std::error::Error>;
-
 fn main() -> ExitCode {
-    match run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(problem) => {
-            eprintln!("{problem}");
-            ExitCode::FAILURE
-        }
-    }
+    table::ended(run())
 }
 
 fn run() -> Result<(), Problem> {
     let options = Options::of(std::env::args().skip(1))?;
-    let mut file = options.csv.as_ref().map(File::create).transpose()?;
-    let mut say = |line: &str| -> Result<(), Problem> {
-        println!("{line}");
-        if let Some(file) = &mut file {
-            writeln!(file, "{line}")?;
-            file.flush()?;
-        }
-        Ok(())
-    };
-    say(&Line::names())?;
+    let mut table = Table::begin(COLUMNS, options.csv.as_ref())?;
     for count in &options.counts {
-        say(&measured(&options, false, *count)?.values())?;
+        table.add(&measured(&options, false, *count)?)?;
         if options.sleeping {
-            say(&measured(&options, true, *count)?.values())?;
+            table.add(&measured(&options, true, *count)?)?;
         }
     }
     Ok(())
@@ -247,10 +232,7 @@ struct Line {
     fastest: f64,
 }
 
-/// A column's name, with its unit, and its value in a line.
-type Column = (&'static str, fn(&Line) -> String);
-
-const COLUMNS: &[Column] = &[
+const COLUMNS: &[Column<Line>] = &[
     ("scene", |line| line.scene.name.clone()),
     ("count", |line| optional(line.count)),
     ("bodies", |line| line.scene.bodies.len().to_string()),
@@ -321,18 +303,6 @@ const COLUMNS: &[Column] = &[
     }),
 ];
 
-impl Line {
-    fn names() -> String {
-        let names: Vec<_> = COLUMNS.iter().map(|(name, _)| *name).collect();
-        names.join(",")
-    }
-
-    fn values(&self) -> String {
-        let values: Vec<_> = COLUMNS.iter().map(|(_, value)| value(self)).collect();
-        values.join(",")
-    }
-}
-
 /// The name of what it runs on, without the commas that separate columns.
 fn device(engine: &dyn Engine) -> String {
     let name = engine.info().device;
@@ -346,10 +316,6 @@ fn device(engine: &dyn Engine) -> String {
 
 fn optional(value: Option<impl ToString>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
-}
-
-fn short(value: f64) -> String {
-    format!("{value:.3e}")
 }
 
 fn seconds(time: Duration) -> String {

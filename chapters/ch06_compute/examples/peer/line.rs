@@ -4,6 +4,7 @@ use ch00_scenes::measures::percentile;
 
 use crate::errors::{Errors, largest, median};
 use crate::runner::Facts;
+use crate::table::{Column, short};
 
 /// What one engine did with one scene.
 pub struct Line {
@@ -21,10 +22,7 @@ pub struct Line {
     pub of_rapier: f64,
 }
 
-/// A column's name, with its unit, and its value in a line.
-type Column = (&'static str, fn(&Line) -> String);
-
-const COLUMNS: &[Column] = &[
+pub const COLUMNS: &[Column<Line>] = &[
     ("scene", |line| line.scene.clone()),
     ("count", |line| {
         line.count
@@ -51,9 +49,7 @@ const COLUMNS: &[Column] = &[
         let not_measured = |at: &Errors| at.penetration.pairs_not_measured as f64;
         largest(&line.moments, not_measured).to_string()
     }),
-    ("depth_p99_m", |line| {
-        short(median(&line.moments, |at| at.penetration.p99))
-    }),
+    ("depth_p99_m", |line| short(line.depth())),
     ("depth_max_m", |line| {
         short(largest(&line.moments, |at| at.penetration.deepest))
     }),
@@ -63,15 +59,11 @@ const COLUMNS: &[Column] = &[
     ("depth_max_of_r", |line| {
         short(largest(&line.moments, |at| at.penetration.relative.deepest))
     }),
-    ("gap_p99_m", |line| {
-        line.of_joints(median(&line.moments, |at| at.gap.p99))
-    }),
+    ("gap_p99_m", |line| line.of_joints(line.gap())),
     ("gap_max_m", |line| {
         line.of_joints(largest(&line.moments, |at| at.gap.largest))
     }),
-    ("excess_p99_rad", |line| {
-        line.of_joints(median(&line.moments, |at| at.excess.p99))
-    }),
+    ("excess_p99_rad", |line| line.of_joints(line.excess())),
     ("excess_max_rad", |line| {
         line.of_joints(largest(&line.moments, |at| at.excess.largest))
     }),
@@ -88,14 +80,52 @@ const COLUMNS: &[Column] = &[
 ];
 
 impl Line {
-    pub fn names() -> String {
-        let names: Vec<_> = COLUMNS.iter().map(|(name, _)| *name).collect();
-        names.join(",")
+    /// What 99 of 100 depths don't exceed, m.
+    fn depth(&self) -> f64 {
+        median(&self.moments, |at| at.penetration.p99)
     }
 
-    pub fn values(&self) -> String {
-        let values: Vec<_> = COLUMNS.iter().map(|(_, value)| value(self)).collect();
-        values.join(",")
+    /// The same of gaps between joints, m.
+    fn gap(&self) -> f64 {
+        median(&self.moments, |at| at.gap.p99)
+    }
+
+    /// The same of angles beyond limits, rad.
+    fn excess(&self) -> f64 {
+        median(&self.moments, |at| at.excess.p99)
+    }
+
+    /// Whether none of the three is larger than another line's, and nobody is lost.
+    fn errs_no_more_than(&self, other: &Self) -> bool {
+        let lost = |line: &Self| largest(&line.moments, |at| (at.outside + at.not_finite) as f64);
+        self.depth() <= other.depth()
+            && self.gap() <= other.gap()
+            && self.excess() <= other.excess()
+            && lost(self) <= lost(other)
+    }
+
+    fn is_rapier(&self) -> bool {
+        self.facts.engine == "rapier"
+    }
+
+    /// Who it is, how long a step takes, and how large its errors are.
+    fn told(&self) -> String {
+        let Facts {
+            engine,
+            method,
+            threads,
+            substeps,
+        } = self.facts;
+        let joints = if self.joints == 0 {
+            String::new()
+        } else {
+            let (gap, excess) = (1e3 * self.gap(), self.excess());
+            format!(", gap {gap:.3} mm, excess {excess:.3} rad")
+        };
+        let (time, depth) = (self.median_time(), 1e3 * self.depth());
+        format!(
+            "{engine} ({method}, {substeps} substeps, {threads} threads) {time:.4} ms, depth {depth:.2} mm{joints}"
+        )
     }
 
     fn median_time(&self) -> f64 {
@@ -116,17 +146,36 @@ impl Line {
     }
 }
 
+/// The fastest of some lines.
+fn fastest<'l>(lines: impl Iterator<Item = &'l Line>) -> Option<&'l Line> {
+    lines.min_by(|one, other| one.median_time().total_cmp(&other.median_time()))
+}
+
 /// Fills in what the times are of rapier's fastest.
 pub fn compare_with_rapier(lines: &mut [Line]) {
-    let rapier = lines.iter().filter(|line| line.facts.engine == "rapier");
-    let fastest = rapier.map(Line::median_time).fold(f64::INFINITY, f64::min);
+    let rapier = fastest(lines.iter().filter(|line| line.is_rapier()));
+    let fastest = rapier.map_or(f64::INFINITY, Line::median_time);
     for line in lines {
         line.of_rapier = line.median_time() / fastest;
     }
 }
 
-fn short(value: f64) -> String {
-    format!("{value:.3e}")
+/// Rapier's fastest line, and the fastest of ours that errs no more than it.
+pub fn verdict(lines: &[Line]) -> String {
+    let Some(rapier) = fastest(lines.iter().filter(|line| line.is_rapier())) else {
+        return "# rapier has no line".to_owned();
+    };
+    let scene = format!("# {} of {} bodies", rapier.scene, rapier.bodies);
+    let as_good = |line: &&Line| !line.is_rapier() && line.errs_no_more_than(rapier);
+    match fastest(lines.iter().filter(as_good)) {
+        None => format!("{scene}: {}; no other errs as little", rapier.told()),
+        Some(ours) => format!(
+            "{scene}: {}; {}: {:.2} times as fast",
+            rapier.told(),
+            ours.told(),
+            1.0 / ours.of_rapier
+        ),
+    }
 }
 
 fn ms(time: f64) -> String {

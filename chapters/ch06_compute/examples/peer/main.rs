@@ -1,8 +1,8 @@
 //! Our engines beside rapier3d: time and errors of the same scene, from the same start, in one run.
 //!
 //! `cargo run --release -p ch06_compute --no-default-features --features rapier --example peer --
-//! [--scene NAME] [--count N,N,…] [--settle STEPS] [--steps STEPS] [--blocks N] [--threads N,N,…]
-//! [--engines NAME[:METHOD],…] [--method NAME] [--substeps N] [--iterations N]
+//! [--scene NAME[:COUNT],…] [--count N,N,…] [--settle STEPS] [--steps STEPS] [--blocks N] [--threads N,N,…]
+//! [--engines NAME[:METHOD],…] [--method NAME] [--substeps N,N,…] [--iterations N]
 //! [--cone coupled|ranges|both] [--csv FILE]`
 //!
 //! All load the same scene and make its settling steps, each by itself. Then they take turns, a block of
@@ -10,59 +10,52 @@
 //! time, the state is measured, by one function and from positions and attitudes alone. A line tells an
 //! engine on so many threads: the time of a step over all blocks; of the errors that 99 of 100 don't exceed,
 //! the median over the blocks, and the largest of all. The last column is its median time over that of
-//! rapier's fastest line. Lines go to the standard output and, with `--csv`, into a file.
+//! rapier's fastest line. Lines go to the standard output and, with `--csv`, into a file. At the end, and on the
+//! standard output only, each scene has its verdict: the fastest of our lines of which no error (99 of 100 depths,
+//! gaps between joints, angles beyond limits) is larger than that of rapier's fastest.
 //!
 //! rapier runs with its own settings (4 substeps, which it calls iterations; four SIMD lanes; `parallel`), but
-//! nothing sleeps and CCD is off. `--substeps` and `--method` are for our engines, `--iterations` is for
-//! rapier. `--cone` says how rapier hears of a ball joint's cone: `coupled` as it is, for which rapier has no
-//! lanes, or `ranges` about two axes, whose corners lie outside the cone. To give all of them the machine's
-//! widest lanes, set `RUSTFLAGS="-C target-cpu=native"`; the feature `rapier3d/simd8` makes rapier's eight.
+//! nothing sleeps and CCD is off. `--substeps` and `--method` are for our engines, each with each number of
+//! substeps in a line of its own; `--iterations` is for rapier. `--cone` says how rapier hears of a ball joint's
+//! cone: `coupled` as it is, for which rapier has no lanes, or `ranges` about two axes, whose corners lie outside
+//! the cone. To give all of them the machine's widest lanes, set `RUSTFLAGS="-C target-cpu=native"`; the feature
+//! `rapier3d/simd8` makes rapier's eight.
 
 mod errors;
 mod line;
 mod options;
 mod runner;
+#[path = "../shared/table.rs"]
+mod table;
 
-use std::fs::File;
-use std::io::Write as _;
 use std::process::ExitCode;
 
 use ch00_scenes::{EngineEntry, LoadError, Scene, Settings, State};
 
 use ch06_compute::peer::{Cone, Rapier, Setup};
 use errors::Errors;
-use line::Line;
+use line::{COLUMNS, Line};
 use options::Options;
 use runner::{Ours, Runner};
-
-type Problem = Box<dyn std::error::Error>;
+use table::{Problem, Table};
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(problem) => {
-            eprintln!("{problem}");
-            ExitCode::FAILURE
-        }
-    }
+    table::ended(run())
 }
 
 fn run() -> Result<(), Problem> {
     let options = Options::of(std::env::args().skip(1))?;
-    let mut file = options.csv.as_ref().map(File::create).transpose()?;
-    let mut say = |line: &str| -> Result<(), Problem> {
-        println!("{line}");
-        if let Some(file) = &mut file {
-            writeln!(file, "{line}")?;
-            file.flush()?;
+    let mut table = Table::begin(COLUMNS, options.csv.as_ref())?;
+    let mut verdicts = Vec::new();
+    for (scene, count) in &options.scenes {
+        let lines = compared(&options, scene, *count)?;
+        for line in &lines {
+            table.add(line)?;
         }
-        Ok(())
-    };
-    say(&Line::names())?;
-    for &count in &options.counts {
-        for line in compared(&options, count)? {
-            say(&line.values())?;
-        }
+        verdicts.push(line::verdict(&lines));
+    }
+    for verdict in verdicts {
+        println!("{verdict}");
     }
     Ok(())
 }
@@ -76,8 +69,8 @@ struct Entrant {
     moments: Vec<Errors>,
 }
 
-fn compared(options: &Options, count: Option<u64>) -> Result<Vec<Line>, Problem> {
-    let scene = Scene::open(&options.scene, count, None)?;
+fn compared(options: &Options, name: &str, count: Option<u64>) -> Result<Vec<Line>, Problem> {
+    let scene = Scene::open(name, count, None)?;
     let mut entrants = entrants(options, &scene)?;
     let mut not_timed = Vec::new();
     for entrant in &mut entrants {

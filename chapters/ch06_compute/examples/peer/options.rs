@@ -16,9 +16,8 @@ const ENGINES: &[EngineEntry] = &[
 
 /// What is compared, how, and on what.
 pub struct Options {
-    pub scene: String,
-    /// The scene's own count where there is none.
-    pub counts: Vec<Option<u64>>,
+    /// Names, and counts where it isn't the scene's own.
+    pub scenes: Vec<(String, Option<u64>)>,
     pub engines: Vec<(EngineEntry, Settings)>,
     pub threads: Vec<u32>,
     /// Substeps of rapier.
@@ -34,8 +33,7 @@ pub struct Options {
 impl Options {
     pub fn of(mut words: impl Iterator<Item = String>) -> Result<Self, Problem> {
         let mut options = Self {
-            scene: "balls".to_owned(),
-            counts: vec![None],
+            scenes: Vec::new(),
             engines: Vec::new(),
             threads: vec![1, 2],
             iterations: 4,
@@ -45,24 +43,35 @@ impl Options {
             blocks: 10,
             csv: None,
         };
+        let (mut scenes, mut counts) = ("balls".to_owned(), vec![None]);
         let mut engines = ENGINES[0].name.to_owned();
         let mut settings = Settings::defaults();
+        let mut substeps = vec![None];
         while let Some(flag) = words.next() {
             let Some(value) = words.next() else {
                 return Err(format!("`{flag}` has no value").into());
             };
             match flag.as_str() {
+                "--scene" => scenes = value,
+                "--count" => counts = list(&value)?.into_iter().map(Some).collect(),
                 "--engines" => engines = value,
                 "--method" => settings.method = Some(value),
+                "--substeps" => substeps = list(&value)?.into_iter().map(Some).collect(),
                 _ => options
-                    .set(&mut settings, &flag, &value)
+                    .set(&flag, &value)
                     .map_err(|problem| format!("`{flag} {value}`: {problem}"))?,
             }
         }
-        let engines = engines.split(',').filter(|name| !name.is_empty());
-        options.engines = engines
-            .map(|name| engine_of(name, &settings))
-            .collect::<Result<_, _>>()?;
+        options.scenes = scenes_of(&scenes, &counts)?;
+        for name in engines.split(',').filter(|name| !name.is_empty()) {
+            for &substeps in &substeps {
+                let settings = Settings {
+                    substeps,
+                    ..settings.clone()
+                };
+                options.engines.push(engine_of(name, &settings)?);
+            }
+        }
         options.check()
     }
 
@@ -76,14 +85,11 @@ impl Options {
         Ok(self)
     }
 
-    fn set(&mut self, settings: &mut Settings, flag: &str, value: &str) -> Result<(), Problem> {
+    fn set(&mut self, flag: &str, value: &str) -> Result<(), Problem> {
         match flag {
-            "--scene" => value.clone_into(&mut self.scene),
-            "--count" => self.counts = list(value)?.into_iter().map(Some).collect(),
             "--threads" => self.threads = list(value)?,
             "--iterations" => self.iterations = value.parse()?,
             "--cone" => self.cones = cones(value)?,
-            "--substeps" => settings.substeps = Some(value.parse()?),
             "--settle" => self.settle = value.parse()?,
             "--steps" => self.steps = value.parse()?,
             "--blocks" => self.blocks = value.parse()?,
@@ -92,6 +98,19 @@ impl Options {
         }
         Ok(())
     }
+}
+
+/// Scenes by their names, with `:COUNT` behind them or with each of these counts.
+fn scenes_of(words: &str, counts: &[Option<u64>]) -> Result<Vec<(String, Option<u64>)>, Problem> {
+    let mut scenes = Vec::new();
+    for word in words.split(',') {
+        if let Some((name, count)) = word.split_once(':') {
+            scenes.push((name.to_owned(), Some(count.parse()?)));
+        } else {
+            scenes.extend(counts.iter().map(|&count| (word.to_owned(), count)));
+        }
+    }
+    Ok(scenes)
 }
 
 /// Numbers separated by commas.
