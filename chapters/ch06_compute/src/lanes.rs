@@ -2,7 +2,7 @@
 //! runs where there is no graphics device, and what the kernels are compared with.
 //!
 //! As on the device, a pass reads any row and writes only its own; so a pass may go through its rows in lanes
-//! of eight and on any number of threads, and the bits are the same.
+//! of four or eight and on any number of threads, and the bits are the same.
 
 pub mod batches;
 pub mod broad_phase;
@@ -25,7 +25,7 @@ use crate::bodies::Bodies;
 use crate::own_row::body::Gathered;
 use crate::rows::Step;
 use crate::rules::{Method, Rules};
-use crate::simd::{Eight, Real};
+use crate::simd::{Real, Widest};
 use broad_phase::BroadPhase;
 use coloured::Live;
 use forces::{Forces, Spring};
@@ -40,7 +40,7 @@ pub use engine::{ENGINE, LanesEngine, METHODS, OWN_ROW, unsupported};
 
 /// All state of a run, and what a step does with it.
 #[derive(Clone, Debug)]
-pub struct Lanes<R: Real = Eight> {
+pub struct Lanes<R: Real = Widest> {
     /// The bodies' rows.
     pub bodies: Bodies,
     /// The pairs of the last step.

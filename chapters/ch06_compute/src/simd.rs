@@ -21,7 +21,7 @@ mod vector;
 
 pub use matrix::{Inertia, Mat3, Round, Symmetric};
 pub use quaternion::Quat;
-pub use real::{Eight, Four, MOST_LANES, Mask, Real};
+pub use real::{Eight, Four, MOST_LANES, Mask, Real, Widest};
 pub use rows::{gather, load, store};
 pub use trigonometry::{arc_tangent_of, sine_cosine};
 pub use vector::Vec3;

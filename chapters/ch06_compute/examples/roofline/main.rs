@@ -141,7 +141,7 @@ fn measured(name: &str, count: u64) -> Result<Vec<String>, Problem> {
     }
     let mut state = State::default();
     settling.bodies.read(&mut state);
-    let lanes: Lanes = warm(&scene, &state)?;
+    let lanes: Lanes<Eight> = warm(&scene, &state)?;
     let (done, needed) = (
         counts::<Eight>(&scene, &state, &lanes)?,
         counts::<f32>(&scene, &state, &lanes)?,
@@ -192,7 +192,11 @@ fn warm<R: Real>(scene: &Scene, state: &State) -> Result<Lanes<R>, Problem> {
 
 // ANCHOR: counts
 /// What the passes compute in the substeps of a step, in the lanes of R. The run must have the bits of `lanes`.
-fn counts<R: Real>(scene: &Scene, state: &State, lanes: &Lanes) -> Result<By<Work>, Problem> {
+fn counts<R: Real>(
+    scene: &Scene,
+    state: &State,
+    lanes: &Lanes<Eight>,
+) -> Result<By<Work>, Problem> {
     let mut counting: Lanes<Counted<R>> = warm(scene, state)?;
     if !passes::same_bits(&counting.bodies, &lanes.bodies) {
         return Err("numbers that count compute something else".into());
@@ -210,7 +214,7 @@ fn counts<R: Real>(scene: &Scene, state: &State, lanes: &Lanes) -> Result<By<Wor
 
 /// How long the passes of a step take, µs. A pass runs in each substep of each timed step: of all these times
 /// the least, as often as it runs in a step. Nothing but other work on the machine makes one longer.
-fn timed(lanes: &Lanes, dt: f32) -> By<f64> {
+fn timed(lanes: &Lanes<Eight>, dt: f32) -> By<f64> {
     let mut all = By::<Vec<f64>>::new();
     let mut last = Instant::now();
     let mut hear = |pass: &'static str| {

@@ -94,7 +94,7 @@ fn gather<R: Real>(lanes: &Lanes<R>, sums: &mut [Gathered]) {
 const ADDED: u64 = 48;
 
 /// Arithmetic of `gather` in a substep, counted by hand.
-pub fn gathered(lanes: &Lanes) -> u64 {
+pub fn gathered(lanes: &Lanes<Eight>) -> u64 {
     2 * lanes.pairs.bodies.len() as u64 * ADDED
 }
 
@@ -117,7 +117,7 @@ const SIDE: u64 = MOVER + row::<Vec3>();
 // ANCHOR: bytes
 /// Bytes that a pass reads and writes in a substep, by the sizes of its rows. A row that two read counts
 /// twice, wherever it is found.
-pub fn bytes(pass: &str, lanes: &Lanes) -> u64 {
+pub fn bytes(pass: &str, lanes: &Lanes<Eight>) -> u64 {
     let (bodies, pairs) = (lanes.bodies.rows() as u64, lanes.pairs.bodies.len() as u64);
     let (joints, momentum) = (!lanes.joints.is_empty(), row::<Vec3>());
     let limits = lanes.joints.trees.limits.len() as u64;
@@ -155,7 +155,7 @@ pub fn bytes(pass: &str, lanes: &Lanes) -> u64 {
 const BALL: u64 = SIDE - row::<Quat>() - 2 * row::<f32>();
 
 /// Bytes of the pairs' own rows and of their bodies': all of a batch is read, and its impulses are written.
-fn batches(lanes: &Lanes) -> u64 {
+fn batches(lanes: &Lanes<Eight>) -> u64 {
     let each = |points: u32| match points {
         1 => of_pair::<1>(),
         2 => of_pair::<2>(),

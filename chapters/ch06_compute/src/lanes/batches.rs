@@ -12,7 +12,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelI
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
 use crate::own_row::contact::{Contact, Impulses, Surface, Touching, touching, touching_balls};
-use crate::own_row::side::{Side, Turns};
+use crate::own_row::side::{Side, Standing, Turns};
 use crate::rows::{Impulse, Manifold, Material, Press};
 use crate::simd::{MOST_LANES, Real, Round, Symmetric, array_of};
 
@@ -22,13 +22,16 @@ const TURNS: usize = 4;
 /// The kind of a pair of balls.
 const TWO_BALLS: u32 = 0;
 
+/// The kind of a ball and a box.
+const BALL_AND_BOX: u32 = 1;
+
 /// The most points of a pair.
 const MOST_POINTS: usize = 4;
 
-/// Balls, and the others by their points.
-const CLASSES: usize = 1 + MOST_POINTS;
+/// Two balls, a ball on a box that stands, and the others by their points.
+const CLASSES: usize = 2 + MOST_POINTS;
 
-/// Batches of the pairs of one colour: of balls, and of the others by the number of points.
+/// Batches of the pairs of one colour, by class.
 type Parts = [Range<usize>; CLASSES];
 
 // ANCHOR: batch
@@ -72,6 +75,13 @@ impl<R: Real> Kind<R, 1> for Round<R> {
         touching_balls(contact, a, b)
     }
 }
+/// A ball on a box that stands.
+impl<R: Real> Kind<R, 1> for Standing<R> {
+    #[inline(always)]
+    fn touching(contact: &Contact<R, 1>, a: &Side<R, Self>, b: &Side<R, Self>) -> Touching<R, 1> {
+        touching(contact, a, b)
+    }
+}
 // ANCHOR_END: kind
 
 /// What is done with a batch of any kind, whatever its number of points.
@@ -84,6 +94,7 @@ pub trait Work<R: Real>: Sync {
 #[derive(Clone, Debug)]
 pub struct Batches<R: Real> {
     balls: Vec<Batch<R, 1>>,
+    walls: Vec<Batch<R, 1>>,
     one: Vec<Batch<R, 1>>,
     two: Vec<Batch<R, 2>>,
     three: Vec<Batch<R, 3>>,
@@ -100,6 +111,7 @@ impl<R: Real> Default for Batches<R> {
     fn default() -> Self {
         Self {
             balls: Vec::new(),
+            walls: Vec::new(),
             one: Vec::new(),
             two: Vec::new(),
             three: Vec::new(),
@@ -118,6 +130,8 @@ pub struct Pair<'p> {
     pub bodies: (u32, u32),
     /// Whether they move.
     pub moves: [bool; 2],
+    /// Whether one of them stands still whatever happens.
+    pub stands: bool,
     /// Its colour.
     pub colour: u8,
     /// Where they touch.
@@ -147,16 +161,17 @@ impl Sorts {
     /// Which pairs go together.
     fn of(self, pair: &Pair<'_>) -> usize {
         let manifold = pair.manifold;
-        let points = match manifold.kind {
+        let class = match manifold.kind {
             TWO_BALLS => 0,
-            _ => manifold.points as usize,
+            BALL_AND_BOX if pair.stands => 1,
+            _ => 1 + manifold.points as usize,
         };
-        self.first(points, usize::from(pair.colour)) + manifold.turns as usize
+        self.first(class, usize::from(pair.colour)) + manifold.turns as usize
     }
 
-    /// The first sort of a colour, for so many points; 0 stands for balls.
-    fn first(self, points: usize, colour: usize) -> usize {
-        (points * self.colours + colour) * TURNS
+    /// The first sort of a class and a colour.
+    fn first(self, class: usize, colour: usize) -> usize {
+        (class * self.colours + colour) * TURNS
     }
 
     /// How many rows each pair of a sort takes, where numbers have so many lanes.
@@ -202,19 +217,20 @@ impl<R: Real> Batches<R> {
         // ANCHOR_END: sort
         self.part(sorts, &firsts);
         self.press.resize(rows, Press::default());
-        let of = |points: usize| firsts[sorts.first(points, 0)]..firsts[sorts.first(points + 1, 0)];
+        let of = |class: usize| firsts[sorts.first(class, 0)]..firsts[sorts.first(class + 1, 0)];
         fill(&mut self.balls, least, &order[of(0)], &pair);
-        fill(&mut self.one, least, &order[of(1)], &pair);
-        fill(&mut self.two, least, &order[of(2)], &pair);
-        fill(&mut self.three, least, &order[of(3)], &pair);
-        fill(&mut self.four, least, &order[of(4)], &pair);
+        fill(&mut self.walls, least, &order[of(1)], &pair);
+        fill(&mut self.one, least, &order[of(2)], &pair);
+        fill(&mut self.two, least, &order[of(3)], &pair);
+        fill(&mut self.three, least, &order[of(4)], &pair);
+        fill(&mut self.four, least, &order[of(5)], &pair);
     }
 
     /// Notes which batches each colour has; `firsts` are the first rows of all sorts.
     fn part(&mut self, sorts: Sorts, firsts: &[usize]) {
-        let part = |points: usize, colour: usize| {
-            let at = |sort: usize| (firsts[sort] - firsts[sorts.first(points, 0)]) / R::LANES;
-            let first = sorts.first(points, colour);
+        let part = |class: usize, colour: usize| {
+            let at = |sort: usize| (firsts[sort] - firsts[sorts.first(class, 0)]) / R::LANES;
+            let first = sorts.first(class, colour);
             at(first)..at(first + TURNS)
         };
         self.parts.clear();
@@ -240,6 +256,7 @@ impl<R: Real> Batches<R> {
     pub fn each(&mut self, least: usize, work: &impl Work<R>) {
         let all = [
             0..self.balls.len(),
+            0..self.walls.len(),
             0..self.one.len(),
             0..self.two.len(),
             0..self.three.len(),
@@ -254,12 +271,14 @@ impl<R: Real> Batches<R> {
     }
 
     fn each_in(&mut self, parts: Parts, least: usize, work: &impl Work<R>) {
-        let [in_balls, in_one, in_two, in_three, in_four] = parts;
+        let [in_balls, in_walls, in_one, in_two, in_three, in_four] = parts;
         let (balls, rest) = self.press.split_at_mut(self.balls.len() * R::LANES);
+        let (walls, rest) = rest.split_at_mut(self.walls.len() * R::LANES);
         let (one, rest) = rest.split_at_mut(self.one.len() * R::LANES);
         let (two, rest) = rest.split_at_mut(self.two.len() * R::LANES);
         let (three, four) = rest.split_at_mut(self.three.len() * R::LANES);
         each_in::<R, Round<R>, 1>(&mut self.balls, balls, in_balls, least, work);
+        each_in::<R, Standing<R>, 1>(&mut self.walls, walls, in_walls, least, work);
         each_in::<R, Symmetric<R>, 1>(&mut self.one, one, in_one, least, work);
         each_in::<R, Symmetric<R>, 2>(&mut self.two, two, in_two, least, work);
         each_in::<R, Symmetric<R>, 3>(&mut self.three, three, in_three, least, work);
@@ -272,12 +291,15 @@ impl<R: Real> Batches<R> {
     pub fn impulse(&self, pair: usize) -> Impulse {
         let place = self.place[pair] as usize;
         let (batch, lane) = (place / R::LANES, place % R::LANES);
-        let one = self.balls.len();
+        let walls = self.balls.len();
+        let one = walls + self.walls.len();
         let two = one + self.one.len();
         let three = two + self.two.len();
         let four = three + self.three.len();
-        if batch < one {
+        if batch < walls {
             self.balls[batch].impulse.lane(lane)
+        } else if batch < one {
+            self.walls[batch - walls].impulse.lane(lane)
         } else if batch < two {
             self.one[batch - one].impulse.lane(lane)
         } else if batch < three {

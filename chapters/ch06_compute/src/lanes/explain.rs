@@ -8,7 +8,7 @@ use super::Lanes;
 use super::broad_phase::BroadPhase;
 use crate::rows::{Held, Impulse, Manifold, Material, Motion, Place, Press, Push, Solid, Spin};
 use crate::rules::Method;
-use crate::simd::{Eight, Real};
+use crate::simd::{Real, Widest};
 
 /// Passes, substeps, grid, and bytes a row.
 #[must_use]
@@ -23,7 +23,7 @@ pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
             Method::OwnRow => "own rows",
             Method::Coloured => "colours",
         },
-        Eight::LANES,
+        Widest::LANES,
         lanes.threads.count(),
         scene.bodies.len() - moving,
         scene.joints.len(),

@@ -9,14 +9,14 @@ use crate::own_row::loops::solve_loop;
 use crate::own_row::side::Side;
 use crate::own_row::tree::{Batches, Solved, Trees};
 use crate::rows::{FREE, Held, Node, Press};
-use crate::simd::{Eight, Real};
+use crate::simd::{Real, Widest};
 
 /// A body without a tree.
 const ALONE: u32 = u32::MAX;
 
 /// All joints of a run, and what they do in a substep.
 #[derive(Clone, Debug, Default)]
-pub struct Joints<R = Eight> {
+pub struct Joints<R = Widest> {
     /// Trees, what closes loops, and limits, as they were at the start.
     pub trees: Trees,
     /// The trees, a tree a lane.

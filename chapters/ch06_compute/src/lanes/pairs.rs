@@ -74,7 +74,7 @@ impl<R: Real> Pairs<R> {
         self.bodies = bodies.map(|(a, b)| (moved(a), moved(b))).collect();
         let rows = self.starts.len().saturating_sub(2);
         self.colours.clear();
-        self.fill(rows, usize::MAX);
+        self.fill(rows, usize::MAX, |_| false);
     }
 
     /// Pairs that have woken are known as they were when they fell asleep. Of the pairs of a step that is past:
@@ -101,9 +101,9 @@ impl<R: Real> Pairs<R> {
         });
     }
 
-    /// Puts the pairs into lanes, and lists those of each of so many bodies. At least `least` pairs go
-    /// together.
-    fn fill(&mut self, rows: usize, least: usize) {
+    /// Puts the pairs into lanes, and lists those of each of so many bodies, of which some stand still. At least
+    /// `least` pairs go together.
+    fn fill(&mut self, rows: usize, least: usize, stands: impl Fn(usize) -> bool + Sync) {
         let colours = (self.colours.count(), self.colours.alone());
         self.batches
             .fill(self.bodies.len(), colours, least, |pair| {
@@ -112,6 +112,7 @@ impl<R: Real> Pairs<R> {
                 Pair {
                     bodies: (a as u32, b as u32),
                     moves,
+                    stands: stands(a) || stands(b),
                     colour,
                     manifold: &self.manifold[pair],
                     material: &self.material[pair],
@@ -155,7 +156,7 @@ pub fn meet<R: Real>(
             .colours
             .paint(&pairs.bodies, bodies.rows(), |row| bodies.moves(row));
     }
-    pairs.fill(bodies.rows(), least);
+    pairs.fill(bodies.rows(), least, |row| bodies.is_static(row));
 }
 // ANCHOR_END: meet
 

@@ -170,6 +170,9 @@ fn parting<R: Real, I: Inertia<R>, const P: usize>(
     a: &Side<R, I>,
     b: &Side<R, I>,
 ) -> R {
+    if I::CENTRAL {
+        return t.normal.dot(b.velocity - a.velocity);
+    }
     t.normal
         .dot(b.velocity_at(t.arm_b[k]) - a.velocity_at(t.arm_a[k]))
 }
@@ -177,7 +180,10 @@ fn parting<R: Real, I: Inertia<R>, const P: usize>(
 // ANCHOR: press
 /// The impulses of a pair as its bodies receive them.
 #[inline(always)]
-fn press<R: Real, const P: usize>(t: &Touching<R, P>, impulse: &Impulses<R, P>) -> Given<R> {
+fn press<R: Real, I: Inertia<R>, const P: usize>(
+    t: &Touching<R, P>,
+    impulse: &Impulses<R, P>,
+) -> Given<R> {
     let mut given = Given {
         stays: R::splat(1.0),
         ..Given::default()
@@ -185,8 +191,10 @@ fn press<R: Real, const P: usize>(t: &Touching<R, P>, impulse: &Impulses<R, P>) 
     for k in 0..P {
         let p = t.normal * impulse.normal[k];
         given.linear += p;
-        given.angular_a -= t.arm_a[k].cross(p);
-        given.angular_b += t.arm_b[k].cross(p);
+        if !I::CENTRAL {
+            given.angular_a -= t.arm_a[k].cross(p);
+            given.angular_b += t.arm_b[k].cross(p);
+        }
     }
     given.linear += impulse.friction;
     given.angular_a -= t.mean_a.cross(impulse.friction);
@@ -217,7 +225,7 @@ pub fn press_again<R: Real, I: Inertia<R>, const P: usize>(
     }
     Given {
         counts: R::ones(counts),
-        ..press(t, impulse)
+        ..press::<R, I, P>(t, impulse)
     }
 }
 // ANCHOR_END: press_again
@@ -275,7 +283,7 @@ pub fn solve_moved<R: Real, I: Inertia<R>, const P: usize>(
             mend_normals(t, &mut now, &reply, &mut a, &mut b, step.h);
             rub::mend(t, &mut now, surface, &mut a, &mut b);
         }
-        given = press(t, &now);
+        given = press::<R, I, P>(t, &now);
         moved[0].side = a;
         moved[1].side = b;
         push::out(t, &reply, moved, step, &mut given);
@@ -337,6 +345,9 @@ fn replies<R: Real, I: Inertia<R>, const P: usize>(
     b: &Side<R, I>,
 ) -> [R; P] {
     let masses = a.shared_mass + b.shared_mass;
+    if I::CENTRAL {
+        return [masses.max(R::splat(SMALL)); P];
+    }
     let crossed: [_; P] = array_of(|k| [t.arm_a[k].cross(t.normal), t.arm_b[k].cross(t.normal)]);
     array_of(|k| {
         let turned_a = a.shared_inertia.answer(crossed[k][0]);
@@ -386,8 +397,15 @@ fn take_normals<R: Real, I: Inertia<R>, const P: usize>(
     for (k, change) in changes.iter().enumerate() {
         let p = t.normal * *change;
         linear += p;
-        turning_a -= t.arm_a[k].cross(p);
-        turning_b += t.arm_b[k].cross(p);
+        if !I::CENTRAL {
+            turning_a -= t.arm_a[k].cross(p);
+            turning_b += t.arm_b[k].cross(p);
+        }
+    }
+    if I::CENTRAL {
+        a.velocity -= linear * a.shared_mass;
+        b.velocity += linear * b.shared_mass;
+        return [linear, turning_a, turning_b];
     }
     a.take(-linear, turning_a);
     b.take(linear, turning_b);

@@ -33,12 +33,8 @@ pub trait Turns<R: Real>: Inertia<R> {
 impl<R: Real> Turns<R> for Symmetric<R> {
     #[inline(always)]
     fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self) {
-        let [i, j, k, w] = gather::<R>(bytemuck::cast_slice(&bodies.attitude), rows);
+        let attitude = attitude(bodies, rows);
         let inverse_inertia = Vec3::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia);
-        let attitude = Quat {
-            v: Vec3::new(i, j, k),
-            w,
-        };
         let turned = Symmetric::turned(attitude.matrix(), inverse_inertia * shares);
         (attitude, turned)
     }
@@ -49,6 +45,36 @@ impl<R: Real> Turns<R> for Round<R> {
     fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self) {
         let inverse_inertia = R::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia.x);
         (Quat::identity(), Round(inverse_inertia * shares))
+    }
+}
+
+/// How a ball turns, and what stands still: neither is turned by what presses.
+#[derive(Clone, Copy, Debug)]
+pub struct Standing<R>(Round<R>);
+
+impl<R: Real> Inertia<R> for Standing<R> {
+    const CENTRAL: bool = true;
+
+    #[inline(always)]
+    fn answer(self, turning: Vec3<R>) -> Vec3<R> {
+        self.0.answer(turning)
+    }
+}
+
+impl<R: Real> Turns<R> for Standing<R> {
+    #[inline(always)]
+    fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self) {
+        let (_, inertia) = Round::gather(bodies, rows, shares);
+        (attitude(bodies, rows), Self(inertia))
+    }
+}
+
+#[inline(always)]
+fn attitude<R: Real>(bodies: &Bodies, rows: &[u32]) -> Quat<R> {
+    let [i, j, k, w] = gather::<R>(bytemuck::cast_slice(&bodies.attitude), rows);
+    Quat {
+        v: Vec3::new(i, j, k),
+        w,
     }
 }
 

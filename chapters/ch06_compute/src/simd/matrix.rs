@@ -62,6 +62,9 @@ impl<R: Real> Mul<Vec3<R>> for Mat3<R> {
 // ANCHOR: inertia
 /// How a body answers to turning impulses: a matrix in general, a number for a ball.
 pub trait Inertia<R: Real>: Copy {
+    /// Whether all that presses goes through its centre, as it does on a ball: then it turns nothing.
+    const CENTRAL: bool = false;
+
     /// I⁻¹ T: what a turning impulse makes of the spin.
     fn answer(self, turning: Vec3<R>) -> Vec3<R>;
 }
@@ -78,6 +81,8 @@ impl<R: Real> Inertia<R> for Symmetric<R> {
 pub struct Round<R>(pub R);
 
 impl<R: Real> Inertia<R> for Round<R> {
+    const CENTRAL: bool = true;
+
     #[inline(always)]
     fn answer(self, turning: Vec3<R>) -> Vec3<R> {
         turning * self.0

@@ -11,6 +11,16 @@ pub type Four = f32x4;
 /// Eight lanes: two instructions of four where the processor has no wider ones.
 pub type Eight = f32x8;
 
+/// As many lanes as the processors that the program is built for compute with one instruction. Twice as many would
+/// be twice the instructions and registers, and as many more lanes that are left over: of the same bits, and slower.
+#[cfg(target_feature = "avx")]
+pub type Widest = Eight;
+
+/// As many lanes as the processors that the program is built for compute with one instruction. Twice as many would
+/// be twice the instructions and registers, and as many more lanes that are left over: of the same bits, and slower.
+#[cfg(not(target_feature = "avx"))]
+pub type Widest = Four;
+
 /// The most lanes that a number has here.
 pub const MOST_LANES: usize = 8;
 

@@ -113,6 +113,6 @@ pub fn restore_pair<R: Real, I: Inertia<R>, const P: usize>(
         take_normals(t, &changes, &mut a, &mut b);
         rub::mend(t, &mut added, surface, &mut a, &mut b);
     }
-    press(t, &added).kept(bounces(approach, surface, step))
+    press::<R, I, P>(t, &added).kept(bounces(approach, surface, step))
 }
 // ANCHOR_END: restore_pair

@@ -72,13 +72,19 @@ fn sliding_reply<R: Real, I: Inertia<R>, const P: usize>(
     a: &Side<R, I>,
     b: &Side<R, I>,
 ) -> R {
+    let masses = a.shared_mass + b.shared_mass;
+    if I::CENTRAL {
+        // The arms lie along the normal, so all directions across it are alike.
+        let reply = |side: &Side<R, I>, arm: Vec3<R>| arm.dot(side.shared_inertia.answer(arm));
+        return masses + reply(a, t.mean_a) + reply(b, t.mean_b);
+    }
     let along = |direction: Vec3<R>| {
         let on_a = t.mean_a.cross(direction);
         let on_b = t.mean_b.cross(direction);
         on_a.dot(a.shared_inertia.answer(on_a)) + on_b.dot(b.shared_inertia.answer(on_b))
     };
     let [one, two] = across(t.normal);
-    a.shared_mass + b.shared_mass + along(one).max(along(two))
+    masses + along(one).max(along(two))
 }
 
 /// Two unit vectors across a unit vector and across each other. [Duff and others 2017]
