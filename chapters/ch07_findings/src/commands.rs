@@ -96,7 +96,7 @@ fn command() -> clap::Command {
         .mut_subcommand("chart", |chart| {
             let mut text = "Charts:\n".to_owned();
             for one in known() {
-                let _ = writeln!(text, "  {:<12} {}", one.name, one.about);
+                let _ = writeln!(text, "  {:<29} {}", one.name, one.about);
             }
             let _ = write!(
                 text,
@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn an_unknown_chart_is_answered_with_the_known_ones() {
-        let error = chosen(&["tabel1".to_owned()]).err().expect("there is none");
+        let error = chosen(&["tabel1".to_owned()]).expect_err("there is none");
         let message = error.to_string();
         for word in ["`tabel1`", "table1", "bounce", "erratum_12"] {
             assert!(message.contains(word), "{message}");

@@ -140,6 +140,61 @@ fn an_unknown_chart_is_an_error_of_one_paragraph() {
 }
 
 #[test]
+fn a_scenario_that_was_cut_short_goes_on_where_it_stopped() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let args = [
+        "scenario_spin_kept",
+        "--quick",
+        "--out",
+        words(folder.path()),
+    ];
+    let run = || {
+        let ran = chart(&args);
+        assert!(
+            ran.status.success(),
+            "{}",
+            String::from_utf8_lossy(&ran.stderr)
+        );
+        String::from_utf8_lossy(&ran.stderr).into_owned()
+    };
+    let all = run();
+    let path = folder.path().join("laboratory_quick.csv");
+    let table = std::fs::read_to_string(&path).expect("it was written");
+    let cells = table.lines().count() - 1;
+    assert!(
+        all.contains(&format!("{cells} of {cells}, 0 s left")),
+        "{all}"
+    );
+    // Cut off in the middle of the last line but one.
+    let cut = table[..table.len() - 1].rfind('\n').expect("lines") - 5;
+    std::fs::write(&path, &table[..cut]).expect("it is ours");
+    let rest = run();
+    assert!(
+        rest.contains("2 of 2, 0 s left") && !rest.contains("3 of"),
+        "{rest}"
+    );
+    let again = std::fs::read_to_string(&path).expect("it is there");
+    assert_eq!(again.lines().count() - 1, cells);
+    assert_eq!(
+        again[..cut - 100],
+        table[..cut - 100],
+        "what was measured is kept"
+    );
+    assert!(!run().contains("left"), "nothing is measured twice");
+}
+
+#[test]
+fn an_unknown_scenario_is_answered_with_the_known_ones() {
+    let ran = chart(&["scenario_stak"]);
+    assert_eq!(ran.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&ran.stderr);
+    assert!(
+        said.contains("`scenario_stak`") && said.contains("scenario_stack"),
+        "{said}"
+    );
+}
+
+#[test]
 fn a_folder_that_can_not_be_written_stops_before_measuring() {
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("file");
