@@ -2,8 +2,8 @@
 // place of what it started with, moves, and takes up what pulls and holds it for the next substep. Bodies
 // that hang on each other do so tree by tree, and between gathering and moving mend their joints.
 // Needs common/index, common/trigonometry, common/rotation, common/rotation_vector,
-// common/free_rotation, rows, common/pairing, common/body, common/moving, common/symmetric, common/articulated,
-// common/link, common/fold, common/tree.
+// common/free_rotation, rows, common/pairing, common/mouse, common/body, common/moving,
+// common/symmetric, common/articulated, common/link, common/fold, common/tree.
 
 @group(0) @binding(9) var<storage, read> incidents: array<u32>;
 @group(0) @binding(10) var<storage, read> status: array<u32>;

@@ -1,7 +1,7 @@
 // The kick of a substep where what pulls a body depends on where others are: magnetic poles. So all have
 // moved before any takes up what pulls it.
 // Needs common/index, common/trigonometry, common/rotation, common/rotation_vector,
-// common/free_rotation, rows, common/pairing, common/body, common/moving.
+// common/free_rotation, rows, common/pairing, common/mouse, common/body, common/moving.
 
 @group(0) @binding(9) var<uniform> pairs_of: PairsOf;
 @group(0) @binding(10) var<storage, read> poles: array<Pole>;

@@ -1,7 +1,7 @@
 // A body looks up its pairs and takes up what pressed it in the last step, where its points are now; then
 // the first kick of the step.
 // Needs common/index, common/trigonometry, common/rotation, common/rotation_vector,
-// common/free_rotation, rows, common/pairing, common/body, common/moving.
+// common/free_rotation, rows, common/pairing, common/mouse, common/body, common/moving.
 
 @group(0) @binding(9) var<storage, read> partners: array<Partner>;
 @group(0) @binding(10) var<storage, read> touches: array<Contact>;

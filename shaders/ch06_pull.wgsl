@@ -1,5 +1,5 @@
-// The mouse's pull on a ball: a critically damped spring, as `ch00_maths::force::spring`.
-// Needs common/index, common/rotation, rows, common/ball.
+// The mouse's pull on a ball.
+// Needs common/index, common/rotation, rows, common/mouse, common/ball.
 
 @group(0) @binding(0) var<uniform> grid: GridOf;
 @group(0) @binding(1) var<uniform> mouse: Mouse;
@@ -7,9 +7,6 @@
 @group(0) @binding(3) var<storage, read> attitudes: array<vec4f>;
 @group(0) @binding(4) var<storage, read> balls: array<Ball>;
 @group(0) @binding(5) var<storage, read_write> movers: array<Mover>;
-
-// Natural frequency of the spring, rad/s.
-const FREQUENCY: f32 = 12.0;
 
 @compute @workgroup_size(WORKGROUP)
 fn pull(@builtin(global_invocation_id) id: vec3u) {
@@ -19,12 +16,8 @@ fn pull(@builtin(global_invocation_id) id: vec3u) {
     }
     let place = places[row];
     var mover = movers[row];
-    let arm = quat_rotate(attitudes[row], mouse.anchor);
-    let stretch = mouse.towards - (place.position + arm);
-    let speed = mover.velocity + cross(mover.angular_velocity, arm);
-    let force = mouse.mass * FREQUENCY * (FREQUENCY * stretch - 2.0 * speed);
-    mover.velocity += grid.dt * force * mover.inverse_mass;
-    let torque = 0.4 * cross(arm, force);
-    mover.angular_velocity += grid.dt * torque * inverse_moment(mover.inverse_mass, place.reach);
+    let spring = spring_at(mouse, place.position, attitudes[row], mover.velocity, mover.angular_velocity);
+    mover.velocity += grid.dt * spring.force * mover.inverse_mass;
+    mover.angular_velocity += grid.dt * spring.torque * inverse_moment(mover.inverse_mass, place.reach);
     movers[row] = mover;
 }

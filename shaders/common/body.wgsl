@@ -1,9 +1,7 @@
 // What a body does in a substep: it takes up what pulls and holds it, gathers what its pairs did to it,
 // and moves. Names as in `ch06_compute::own_row::body`.
-// Needs common/trigonometry, common/rotation, common/rotation_vector, common/free_rotation, rows.
-
-// Natural frequency of the mouse's spring, rad/s.
-const FREQUENCY: f32 = 12.0;
+// Needs common/trigonometry, common/rotation, common/rotation_vector, common/free_rotation, rows,
+// common/mouse.
 
 // What pulls a body beyond gravity.
 struct Pull {
@@ -41,11 +39,8 @@ fn moved_by(rigid: Rigid, turning: vec3f) -> vec3f {
 // ANCHOR: drag
 // The pull of the mouse on the body that it holds.
 fn drag(rigid: Rigid, mouse: Mouse) -> Pull {
-    let arm = quat_rotate(rigid.attitude, mouse.anchor);
-    let stretch = mouse.towards - (rigid.position + arm);
-    let speed = rigid.velocity + cross(rigid.angular_velocity, arm);
-    let force = mouse.mass * FREQUENCY * (FREQUENCY * stretch - 2.0 * speed);
-    return Pull(force * rigid.inverse_mass, 0.4 * cross(arm, force));
+    let spring = spring_at(mouse, rigid.position, rigid.attitude, rigid.velocity, rigid.angular_velocity);
+    return Pull(spring.force * rigid.inverse_mass, spring.torque);
 }
 // ANCHOR_END: drag
 

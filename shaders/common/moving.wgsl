@@ -1,7 +1,7 @@
 // What the kernels that move bodies have in common: their columns, what a body gathers, and the kick of a
 // substep.
 // Needs common/trigonometry, common/rotation, common/rotation_vector, common/free_rotation, rows,
-// common/pairing, common/body.
+// common/pairing, common/mouse, common/body.
 
 @group(0) @binding(0) var<uniform> grid: GridOf;
 @group(0) @binding(1) var<uniform> step: Step;

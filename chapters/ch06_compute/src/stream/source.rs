@@ -27,6 +27,7 @@ const SHADERS: &[(&str, &str)] = shaders![
     "common/index.wgsl",
     "common/limit.wgsl",
     "common/link.wgsl",
+    "common/mouse.wgsl",
     "common/moving.wgsl",
     "common/narrow.wgsl",
     "common/narrow_axis.wgsl",
