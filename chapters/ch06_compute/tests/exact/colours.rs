@@ -5,7 +5,7 @@ use ch00_scenes::{Scene, State};
 use ch06_compute::lanes::coloured::MOST_COLOURS;
 use glam::DVec3;
 
-use super::{at_most, ball, load, of_one_stuff, weightless};
+use super::scenarios::helpers::{at_most, ball, load, of_one_stuff, weightless};
 
 /// Radius of the large ball, m.
 const LARGE: f64 = 10.0;
