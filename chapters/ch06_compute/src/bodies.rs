@@ -241,6 +241,12 @@ impl Bodies {
         self.is_static(row) && !self.is_asleep(row)
     }
 
+    /// Whether it is a box that nothing moves.
+    #[must_use]
+    pub fn is_block(&self, row: usize) -> bool {
+        self.solid[row].kind == BOX && self.is_static(row)
+    }
+
     /// Whether it sleeps.
     #[must_use]
     pub fn is_asleep(&self, row: usize) -> bool {

@@ -130,7 +130,7 @@ pub struct Pair<'p> {
     pub bodies: (u32, u32),
     /// Whether they move.
     pub moves: [bool; 2],
-    /// Whether one of them stands still whatever happens.
+    /// Whether one of them is a box that stands.
     pub stands: bool,
     /// Its colour.
     pub colour: u8,

@@ -101,8 +101,8 @@ impl<R: Real> Pairs<R> {
         });
     }
 
-    /// Puts the pairs into lanes, and lists those of each of so many bodies, of which some stand still. At least
-    /// `least` pairs go together.
+    /// Puts the pairs into lanes, and lists those of each of so many bodies, of which some are boxes that stand.
+    /// At least `least` pairs go together.
     fn fill(&mut self, rows: usize, least: usize, stands: impl Fn(usize) -> bool + Sync) {
         let colours = (self.colours.count(), self.colours.alone());
         self.batches
@@ -156,7 +156,7 @@ pub fn meet<R: Real>(
             .colours
             .paint(&pairs.bodies, bodies.rows(), |row| bodies.moves(row));
     }
-    pairs.fill(bodies.rows(), least, |row| bodies.is_static(row));
+    pairs.fill(bodies.rows(), least, |row| bodies.is_block(row));
 }
 // ANCHOR_END: meet
 

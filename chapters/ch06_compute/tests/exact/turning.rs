@@ -7,8 +7,8 @@ use ch00_scenes::{Body, Force, Joint, Scene, Shape, State};
 use glam::{DQuat, DVec3};
 
 use super::{
-    G, SUBSTEPS, after, angle_between, at_most, ball, exact, near, number, separation, steps,
-    vector, watch, watch_with, weightless,
+    G, SUBSTEPS, after, angle_between, at_most, ball, exact, near, number, of_one_stuff,
+    separation, steps, vector, watch, watch_with, weightless,
 };
 
 /// The box of scenarios 4 and 5 with this spin, rad/s.
@@ -233,4 +233,28 @@ fn a_heavy_top_on_a_pin_stays_on_it() {
     // A tenth of a millimetre, of an arm of 20 cm.
     at_most(nutation(&scene, SUBSTEPS).gap, 1e-4, "gap, m");
     at_most(separation(&scene, &after(&scene, 5.0)), 1e-4, "gap, m");
+}
+
+#[test]
+fn a_box_that_meets_a_fixed_ball_beside_its_middle_turns() {
+    let (speed, beside) = (1.0, 0.3);
+    let mut scene = weightless("beside");
+    scene.bodies.push(ball(0.5, 0.0, DVec3::ZERO));
+    let half_extents = DVec3::splat(0.5);
+    let mut body = Body::new(
+        Shape::Box { half_extents },
+        1.0,
+        DVec3::new(beside, 1.01, 0.0),
+    );
+    body.linear_velocity = -speed * DVec3::Y;
+    scene.bodies.push(body);
+    of_one_stuff(&mut scene, 0.0, 0.0);
+    let state = after(&scene, 2.0 * scene.dt);
+    // The point that meets stands still: J (1/m + x²/I) = v, where I = m s²/6.
+    let inertia = 1.0 / 6.0;
+    let impulse = speed / (1.0 + beside * beside / inertia);
+    // It turns on while it is held: in two steps by 0.04 rad, and as much of its speed may change.
+    near(state.linear_velocity[1].y, impulse - speed, 0.05 * speed);
+    let turns = state.angular_velocity[1].length();
+    near(turns, impulse * beside / inertia, 0.05 * turns);
 }
