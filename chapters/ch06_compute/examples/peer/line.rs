@@ -124,7 +124,7 @@ impl Line {
         };
         let (time, depth) = (self.median_time(), 1e3 * self.depth());
         format!(
-            "{engine} ({method}, {substeps} substeps, {threads} threads) {time:.4} ms, depth {depth:.2} mm{joints}"
+            "{engine} ({method}, substeps {substeps}, threads {threads}) {time:.4} ms, depth {depth:.2} mm{joints}"
         )
     }
 
