@@ -138,7 +138,8 @@ pub const GALLERY: &[Setup] = &[
         "properties:corrected,lanes:own-row,lanes:coloured,compute",
         "Ragdolls fall on each other: watch the joints, and what a step costs.",
         TREES,
-    ),
+    )
+    .seen([-0.9, 0.0, -0.9], [0.9, 2.6, 0.9], [0.6, 0.3]),
     setup(
         "tops",
         ("tops", None),

@@ -7,7 +7,6 @@ use egui::{ComboBox, RichText, Ui};
 
 use super::contender::{FEWEST, MOST};
 use super::gallery::{GALLERY, Setup};
-use super::panel::what_to_watch;
 use super::{Contender, Race, of_gallery, opening};
 use crate::{CHAPTER, FindingsError};
 
@@ -20,7 +19,7 @@ const FIRST: [&str; FEWEST] = ["properties", "lanes"];
 /// What its user has chosen so far.
 pub struct RaceMenu {
     contenders: Vec<Contender>,
-    /// The set-up of the gallery whose text is shown.
+    /// The set-up of the gallery that was started last.
     setup: Option<&'static Setup>,
     /// Why the last race could not start.
     why_not: Option<String>,
@@ -143,9 +142,6 @@ impl RaceMenu {
             }
         });
         self.setup = chosen.or(self.setup);
-        if let Some(setup) = self.setup {
-            what_to_watch(ui, setup);
-        }
         chosen
     }
 }
@@ -322,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn a_race_of_the_gallery_says_what_to_watch_and_where_to_read() {
+    fn a_race_of_the_gallery_can_be_started_and_then_changed() {
         let mut screen = Screen::new();
         let opening = screen.click("cradle").expect("it can be run");
         assert_eq!(opening.session.scene().name, "cradle");
@@ -332,7 +328,6 @@ mod tests {
         let again = screen.click("Start the race").expect("all of them can");
         assert_eq!(names(&again), four);
         assert!(again.runs.sight().is_some());
-        assert!(screen.says("As many balls should leave") && screen.says("ch04_ragdolls"));
     }
 
     #[test]

@@ -65,7 +65,7 @@ impl SideBySide for Race {
 }
 
 /// What to watch, and where the book explains it.
-pub fn what_to_watch(ui: &mut Ui, setup: &Setup) {
+fn what_to_watch(ui: &mut Ui, setup: &Setup) {
     let (page, title) = setup.page;
     ui.label(setup.watch);
     ui.horizontal_wrapped(|ui| {
@@ -96,7 +96,11 @@ fn numbers(runner: &Runner) -> String {
         None => "–".to_owned(),
     }];
     if let Some(error) = last.energy_error {
-        lines.push(format!("energy {error:+.1e}"));
+        let error = match error {
+            0.0 => "0".to_owned(),
+            error => format!("{error:+.1e}"),
+        };
+        lines.push(format!("energy {error}"));
     }
     if let (Some(deepest), Some(p99)) = (last.deepest, last.p99) {
         let [deepest, p99] = [deepest, p99].map(length);
@@ -115,5 +119,62 @@ fn length(metres: f64) -> String {
         size if size < 0.9e-3 => format!("{:.1} µm", 1e6 * metres),
         size if size < 0.1 => format!("{:.2} mm", 1e3 * metres),
         _ => format!("{metres:.3} m"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{gallery, of_gallery};
+    use super::*;
+
+    /// What the panel says.
+    fn said(race: &mut Race) -> String {
+        let context = egui::Context::default();
+        let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+            race.show_panel(ui);
+        });
+        output.textures_delta.clear(); // nothing is painted
+        let text = |clipped: &egui::epaint::ClippedShape| match &clipped.shape {
+            egui::Shape::Text(text) => text.galley.text().to_owned(),
+            _ => String::new(),
+        };
+        output
+            .shapes
+            .iter()
+            .map(text)
+            .collect::<Vec<_>>()
+            .join("\n")
+    }
+
+    #[test]
+    fn the_panel_says_what_to_watch_and_where_to_read() {
+        let setup = gallery::find("cradle").expect("it is there");
+        let mut race = of_gallery(setup).expect("it can be run");
+        race.step_all();
+        let text = said(&mut race);
+        for words in [
+            "Race: cradle",
+            "step 1 of 1/60 s",
+            setup.watch,
+            "ch04_ragdolls",
+        ] {
+            assert!(text.contains(words), "`{words}` isn't in: {text}");
+        }
+    }
+
+    #[test]
+    fn a_view_says_its_times_and_errors_once_they_are_known() {
+        let setup = gallery::find("cradle").expect("it is there");
+        let mut race = of_gallery(setup).expect("it can be run");
+        let first = |race: &Race| race.views()[0].text.clone();
+        assert!(first(&race).starts_with('–') && first(&race).contains("energy 0"));
+        for _ in 0..3 {
+            race.step_all();
+        }
+        race.measure();
+        let text = first(&race);
+        for words in [" ms/step", "energy ", "overlap ", "(p99 ", "joints "] {
+            assert!(text.contains(words), "`{words}` isn't in: {text}");
+        }
     }
 }

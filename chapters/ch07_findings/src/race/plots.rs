@@ -20,78 +20,115 @@ const LABELS_UP: Rangef = Rangef {
     max: 20.0,
 };
 
-/// Errors below this are drawn as this, m.
-const SHORTEST: f64 = 1e-6;
+/// An axis up the side, marked at powers of ten.
+struct Scale {
+    name: &'static str,
+    /// What is below or above is drawn at the edge.
+    range: [f64; 2],
+    label: fn(f64) -> String,
+}
 
-/// Times below this are drawn as this, ms.
-const FASTEST: f64 = 1e-4;
+/// Of times, ms.
+const TIMES: Scale = Scale {
+    name: "time of a step",
+    range: [1e-4, 1e6],
+    label: time_of,
+};
+
+/// Of errors of energy, as parts of the start's.
+const ENERGIES: Scale = Scale {
+    name: "energy error, gained or lost",
+    range: [1e-7, 1e3],
+    label: part_of,
+};
+
+/// Of overlaps and of gaps, m.
+const LENGTHS: Scale = Scale {
+    name: "deepest overlap",
+    range: [1e-6, 1e3],
+    label: length_of,
+};
 
 /// All of them, side by side.
 pub fn show(ui: &mut Ui, race: &mut Race) {
     ui.columns(3, |columns| {
-        columns[0].label(RichText::new("time of a step").strong());
-        powers(&mut columns[0], "ms", race, FASTEST, time_of, |sample| {
-            sample.ms
+        headline(&mut columns[0], &TIMES);
+        plot(&mut columns[0], race, &TIMES, |sample| sample.ms);
+        headline(&mut columns[1], &ENERGIES);
+        plot(&mut columns[1], race, &ENERGIES, |sample| {
+            sample.energy_error.map(f64::abs)
         });
-        columns[1].label(RichText::new("energy error: gained, as a part of the start's").strong());
-        energy(&mut columns[1], race);
-        errors(&mut columns[2], race);
+        lengths(&mut columns[2], race);
     });
 }
 
-/// The largest gap of a joint or the deepest overlap, as its user wants.
-fn errors(ui: &mut Ui, race: &mut Race) {
+fn headline(ui: &mut Ui, scale: &Scale) {
+    ui.label(RichText::new(scale.name).strong());
+}
+
+/// The widest gap of a joint or the deepest overlap, as its user wants.
+fn lengths(ui: &mut Ui, race: &mut Race) {
     let has_joints = !race.scene().joints.is_empty();
-    ui.horizontal(|ui| {
-        if has_joints {
+    if has_joints {
+        ui.horizontal(|ui| {
             ui.selectable_value(&mut race.shows_joints, true, "widest joint");
-            ui.selectable_value(&mut race.shows_joints, false, "deepest overlap");
-        } else {
-            ui.label(RichText::new("deepest overlap").strong());
-        }
-    });
+            ui.selectable_value(&mut race.shows_joints, false, LENGTHS.name);
+        });
+    } else {
+        headline(ui, &LENGTHS);
+    }
     let joints = race.shows_joints && has_joints;
-    let value = move |sample: &Sample| if joints { sample.joint } else { sample.deepest };
-    powers(ui, "errors", race, SHORTEST, length_of, value);
+    plot(ui, race, &LENGTHS, |sample| {
+        if joints { sample.joint } else { sample.deepest }
+    });
 }
 
-/// A plot whose marks up the side are powers of ten.
-fn powers(
-    ui: &mut Ui,
-    name: &str,
-    race: &Race,
-    least: f64,
-    label: fn(f64) -> String,
-    value: impl Fn(&Sample) -> Option<f64>,
-) {
-    let powers = |sample: &Sample| Some(value(sample)?.max(least).log10());
-    let curves = curves(race, powers);
-    let all = || {
+/// A measure of all contenders against time.
+fn plot(ui: &mut Ui, race: &Race, scale: &Scale, value: impl Fn(&Sample) -> Option<f64>) {
+    let [least, most] = scale.range;
+    let power = |sample: &Sample| Some(value(sample)?.clamp(least, most).log10());
+    let curves = curves(race, power);
+    let powers = || {
         curves
             .iter()
             .flat_map(|(_, points)| points)
             .map(|point| point[1])
     };
-    let low = all().fold(f64::INFINITY, f64::min).floor();
-    let high = all().fold(f64::NEG_INFINITY, f64::max).ceil();
-    let mut plot = plain(name)
-        .y_grid_spacer(uniform_grid_spacer(|_| [1.0, 1.0, 1.0]))
-        .custom_y_axes(vec![axis_up(move |value| label(10.0_f64.powf(value)))]);
+    let low = powers().fold(f64::INFINITY, f64::min).floor();
+    let high = powers().fold(f64::NEG_INFINITY, f64::max).ceil();
+    let mut plot = empty(scale);
     if low <= high {
         plot = plot.include_y(low).include_y(high.max(low + 1.0));
     }
-    draw(ui, plot, curves);
+    plot.show(ui, |plot| {
+        for (i, (color, points)) in curves.into_iter().enumerate() {
+            let line = Line::new(format!("{i}"), PlotPoints::from(points));
+            plot.line(line.color(color).width(1.8));
+        }
+    });
 }
 
-fn energy(ui: &mut Ui, race: &Race) {
-    let curves = curves(race, |sample| sample.energy_error);
-    let plot = plain("energy")
-        .include_y(0.0)
-        .y_grid_spacer(uniform_grid_spacer(|grid| {
-            [round_step(grid.bounds, 4.0); 3]
-        }))
-        .custom_y_axes(vec![axis_up(share_of)]);
-    draw(ui, plot, curves);
+/// A plot without curves.
+fn empty(scale: &Scale) -> Plot<'static> {
+    let label = scale.label;
+    let seconds = AxisHints::new_x()
+        .label_spacing(LABELS_ACROSS)
+        .formatter(|mark, _| format!("{} s", mark.value));
+    let powers = AxisHints::new_y()
+        .label_spacing(LABELS_UP)
+        .min_thickness(46.0)
+        .formatter(move |mark, _| label(10.0_f64.powf(mark.value)));
+    Plot::new(scale.name)
+        .height(HEIGHT)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_zoom(false)
+        .allow_boxed_zoom(false)
+        .include_x(0.0)
+        .x_grid_spacer(uniform_grid_spacer(|grid| [round_step(grid.bounds); 3]))
+        .y_grid_spacer(uniform_grid_spacer(|grid| [whole_step(grid.bounds); 3]))
+        .custom_x_axes(vec![seconds])
+        .custom_y_axes(vec![powers])
 }
 
 type CurveOf = (Color32, Vec<[f64; 2]>);
@@ -104,56 +141,25 @@ fn curves(race: &Race, value: impl Fn(&Sample) -> Option<f64>) -> Vec<CurveOf> {
     race.runners.iter().map(of).collect()
 }
 
-fn plain(name: &str) -> Plot<'static> {
-    Plot::new(name.to_owned())
-        .height(HEIGHT)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_zoom(false)
-        .allow_boxed_zoom(false)
-        .include_x(0.0)
-        .x_grid_spacer(uniform_grid_spacer(|grid| {
-            [round_step(grid.bounds, 5.0); 3]
-        }))
-        .custom_x_axes(vec![
-            AxisHints::new_x()
-                .label_spacing(LABELS_ACROSS)
-                .formatter(|mark, _| format!("{} s", mark.value)),
-        ])
-}
-
-fn axis_up(label: impl Fn(f64) -> String + Send + Sync + 'static) -> AxisHints<'static> {
-    AxisHints::new_y()
-        .label_spacing(LABELS_UP)
-        .min_thickness(46.0)
-        .formatter(move |mark, _| label(mark.value))
-}
-
-fn draw(ui: &mut Ui, plot: Plot, curves: Vec<CurveOf>) {
-    plot.show(ui, |plot| {
-        for (i, (color, points)) in curves.into_iter().enumerate() {
-            let line = Line::new(format!("{i}"), PlotPoints::from(points));
-            plot.line(line.color(color).width(1.8));
-        }
-    });
-}
-
-/// A step of 1, 2 or 5 times a power of ten, so that about so many of them go between these bounds.
-fn round_step((low, high): (f64, f64), about: f64) -> f64 {
-    let exact = ((high - low) / about).max(1e-12);
+/// A step of 1, 2 or 5 times a power of ten, so that about five of them go between these bounds.
+fn round_step((low, high): (f64, f64)) -> f64 {
+    let exact = ((high - low) / 5.0).max(1e-12);
     let power = 10.0_f64.powf(exact.log10().floor());
-    let round = [1.0, 2.0, 5.0]
-        .into_iter()
-        .find(|step| step * power >= exact);
-    round.unwrap_or(10.0) * power
+    let mut round = [1.0, 2.0, 5.0].into_iter();
+    round.find(|step| step * power >= exact).unwrap_or(10.0) * power
+}
+
+/// A whole step, so that at most seven of them go between these bounds.
+fn whole_step((low, high): (f64, f64)) -> f64 {
+    ((high - low) / 7.0).ceil().max(1.0)
 }
 
 /// A part of 1 as an axis says it.
-fn share_of(part: f64) -> String {
-    match part.abs() {
-        0.0 => "0".to_owned(),
-        size if (0.01..1000.0).contains(&size) => format!("{:+}", (1e4 * part).round() / 1e4),
-        _ => format!("{part:+.0e}"),
+fn part_of(part: f64) -> String {
+    if (0.9e-2..9e2).contains(&part) {
+        format!("{}", (1e4 * part).round() / 1e4)
+    } else {
+        format!("{part:.0e}")
     }
 }
 
@@ -183,11 +189,12 @@ mod tests {
 
     #[test]
     fn steps_of_a_grid_are_round() {
-        let steps = [(0.0, 4.0), (-0.95, 0.0), (0.0, 11.0), (0.0, 0.03)];
-        let steps = steps.map(|bounds| round_step(bounds, 4.0));
-        let expected = [1.0, 0.5, 5.0, 0.01];
+        let steps = [(0.0, 5.0), (0.5, 8.0), (0.0, 11.0), (0.0, 0.03)].map(round_step);
+        let expected = [1.0, 2.0, 5.0, 0.01];
         let is_near = |(one, two): (f64, f64)| (one - two).abs() < 1e-9;
         assert!(steps.into_iter().zip(expected).all(is_near), "{steps:?}");
+        let steps = [(-3.0, -2.9), (-6.0, 1.0), (-6.0, 3.0)].map(whole_step);
+        assert_eq!(steps, [1.0, 1.0, 2.0]);
     }
 
     #[test]
@@ -198,10 +205,8 @@ mod tests {
         ];
         assert_eq!(names, expected);
         let names = [1e-4, 1e-3, 0.1, 1.0, 1000.0].map(time_of);
-        assert_eq!(
-            [0.5, -0.02, 0.0, 2e-5, 3e6].map(share_of),
-            ["+0.5", "-0.02", "0", "+2e-5", "+3e6"]
-        );
         assert_eq!(names, ["0.1 µs", "1 µs", "100 µs", "1 ms", "1 s"]);
+        let names = [1e-7, 1e-3, 0.01, 1.0, 100.0, 1e3].map(part_of);
+        assert_eq!(names, ["1e-7", "1e-3", "0.01", "1", "100", "1e3"]);
     }
 }
