@@ -266,8 +266,8 @@ impl Bodies {
     }
 }
 
-// ANCHOR: lay_down
 impl Bodies {
+    // ANCHOR: lay_down
     /// A body falls asleep: it stands still, and as long as it sleeps nothing moves it. Who lays bodies down
     /// or wakes them calls [`Self::find_runs`] after them.
     pub fn lay_down(&mut self, row: usize) {
@@ -287,6 +287,7 @@ impl Bodies {
             self.stop(row);
         }
     }
+    // ANCHOR_END: lay_down
 
     /// It neither moves nor turns, and nothing pushes it.
     fn stop(&mut self, row: usize) {
@@ -311,7 +312,6 @@ impl Bodies {
             }
         }
     }
-    // ANCHOR_END: lay_down
 
     /// The rows that passes go through, in order.
     #[must_use]

@@ -6,6 +6,7 @@ use ch00_scenes::Scene;
 
 use super::Lanes;
 use super::broad_phase::BroadPhase;
+use super::sleep::{DISTANCE, TIME};
 use crate::rows::{Held, Impulse, Manifold, Material, Motion, Place, Press, Push, Solid, Spin};
 use crate::rules::Method;
 use crate::simd::{Real, Widest};
@@ -34,8 +35,14 @@ pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
     }
     text += &explain_broad_phase(&lanes.broad);
     if lanes.rules.sleeping {
-        let (asleep, islands) = (lanes.sleep.asleep(), lanes.sleep.islands());
-        let _ = writeln!(text, "{asleep} bodies sleep, in {islands} islands");
+        let _ = writeln!(
+            text,
+            "islands of bodies that come no farther than {} mm in {} s sleep until something touches them: {} bodies now, in {} islands",
+            1e3 * DISTANCE,
+            TIME,
+            lanes.sleep.asleep(),
+            lanes.sleep.islands()
+        );
     }
     let body = size_of::<Place>()
         + size_of::<glam::Quat>()

@@ -110,7 +110,6 @@ impl Sleep {
 }
 
 impl<R: Real> Lanes<R> {
-    // ANCHOR: fall_asleep
     /// Islands that have come to rest fall asleep, at the end of a step.
     pub(super) fn fall_asleep(&mut self, dt: f32) {
         let (bodies, sleep) = (&self.bodies, &mut self.sleep);
@@ -129,6 +128,7 @@ impl<R: Real> Lanes<R> {
         }
     }
 
+    // ANCHOR: fall_asleep
     /// Lays down all islands that may sleep.
     fn lay_down(&mut self) {
         let (bodies, sleep) = (&mut self.bodies, &mut self.sleep);
@@ -186,6 +186,7 @@ impl<R: Real> Lanes<R> {
         let touched: Vec<usize> = touched.map(|(row, _)| row).collect();
         self.wake(touched.into_iter())
     }
+    // ANCHOR_END: wake_touched
 
     /// Wakes the islands that some rows sleep in. Whether there were any.
     pub(super) fn wake(&mut self, rows: impl Iterator<Item = usize>) -> bool {
@@ -210,7 +211,6 @@ impl<R: Real> Lanes<R> {
         self.regroup();
         true
     }
-    // ANCHOR_END: wake_touched
 
     /// Wakes all.
     pub(super) fn wake_all(&mut self) {

@@ -18,7 +18,6 @@ pub const FASTEST_SPIN: f32 = 1.0;
 /// The kind of a ball.
 const BALL: u32 = 0;
 
-// ANCHOR: calm
 /// Where a body was, and for how long it has been near.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Calm {
@@ -42,6 +41,7 @@ impl Calm {
         }
     }
 
+    // ANCHOR: calm
     /// Whether no point of the body has come far from where it was. A body that is nowhere isn't near.
     fn is_near(&self, bodies: &Bodies, row: usize) -> bool {
         let (place, attitude) = (&bodies.place[row], bodies.attitude[row]);
@@ -54,5 +54,5 @@ impl Calm {
         let turn = 2.0 * (attitude * self.attitude.conjugate()).xyz().length();
         way + turn * place.reach <= DISTANCE
     }
+    // ANCHOR_END: calm
 }
-// ANCHOR_END: calm

@@ -50,6 +50,7 @@ impl Islands {
             [true, true] => {}
         }
     }
+    // ANCHOR_END: islands
 
     /// Tells each island what its bodies are, when all are joined.
     pub fn tell(&mut self, calm: &[Calm]) {
@@ -66,5 +67,4 @@ impl Islands {
         let island = self.of(row as u32) as usize;
         self.held[island] && !self.restless[island]
     }
-    // ANCHOR_END: islands
 }
