@@ -13,14 +13,15 @@ fn setup(cone: Cone) -> Setup {
     }
 }
 
+/// Makes so many steps.
+fn step(engine: &mut Rapier, steps: u32) {
+    engine.inside(|world| (0..steps).for_each(|_| world.step()));
+}
+
 /// After so many steps.
 fn after(scene: &Scene, setup: Setup, steps: u32) -> State {
     let mut engine = Rapier::load(scene, setup).unwrap();
-    engine.inside(|world| {
-        for _ in 0..steps {
-            world.step();
-        }
-    });
+    step(&mut engine, steps);
     let mut state = State::default();
     engine.read(&mut state);
     state
@@ -84,7 +85,7 @@ fn the_start_is_the_scenes() {
 fn masses_and_moments_of_inertia_are_ours_once_it_has_taken_them_up() {
     let scene = Scene::open("mixed", None, None).unwrap();
     let mut engine = Rapier::load(&scene, setup(Cone::Coupled)).unwrap();
-    engine.steps(1, &mut Vec::new());
+    step(&mut engine, 1);
     for (body, handle) in scene.bodies.iter().zip(&engine.handles) {
         if body.is_static() {
             continue;

@@ -15,15 +15,27 @@ const MOST_RUNS: u32 = 5;
 /// Nothing is run again once this has been spent on it, s.
 const ENOUGH: f64 = 0.5;
 
-/// What one run gave.
+/// What one run gave, or several.
 struct Run {
     verdict: Verdict,
-    /// Spent in steps.
-    spent: Duration,
+    /// Spent in steps, s.
+    spent: f64,
     /// Time that passed in the scene, s.
     passed: f64,
     substeps: u32,
     sweeps: u32,
+}
+
+impl Default for Run {
+    fn default() -> Self {
+        Self {
+            verdict: Verdict::of(0.0),
+            spent: 0.0,
+            passed: 0.0,
+            substeps: 0,
+            sweeps: 0,
+        }
+    }
 }
 
 // ANCHOR: measure
@@ -42,28 +54,20 @@ pub fn measure(
     let (mut costs, mut all) = (Vec::new(), 0.0);
     let runs = if quick { 1 } else { MOST_RUNS };
     while cell.runs < runs && all < ENOUGH {
-        let mut verdict = Verdict::of(0.0);
-        let (mut spent, mut passed) = (0.0, 0.0);
-        for scene in &scenes {
-            let run = match run(scenario, scene, &contender.settings(), contender, rate) {
-                Ok(run) => run,
-                Err(why) => {
-                    cell.end = End::Cannot(why.to_string());
-                    return Ok(cell);
-                }
-            };
-            verdict = worse(verdict, run.verdict);
-            spent += run.spent.as_secs_f64();
-            passed += run.passed;
-            (cell.substeps, cell.sweeps) = (run.substeps, run.sweeps);
-        }
-        costs.push(spent / passed);
-        all += spent;
+        let run = match run_all(scenario, &scenes, contender, rate) {
+            Ok(run) => run,
+            Err(why) => {
+                cell.end = End::Cannot(why.to_string());
+                return Ok(cell);
+            }
+        };
+        costs.push(run.spent / run.passed);
+        all += run.spent;
+        (cell.substeps, cell.sweeps) = (run.substeps, run.sweeps);
         cell.runs += 1;
-        cell.error = verdict.error;
-        cell.end = verdict
-            .failed
-            .map_or(End::Measured, |how| End::Failed(how.to_owned()));
+        cell.error = run.verdict.error;
+        let failed = run.verdict.failed.map(|how| End::Failed(how.to_owned()));
+        cell.end = failed.unwrap_or(End::Measured);
     }
     cell.cost = median(costs);
     Ok(cell)
@@ -82,6 +86,26 @@ fn blank(scenario: &Scenario, contender: &Contender, rate: u32) -> Cell {
         runs: 0,
         end: End::Measured,
     }
+}
+
+/// All scenes, one after the other: the times together, and the worst verdict.
+fn run_all(
+    scenario: &Scenario,
+    scenes: &[Scene],
+    contender: &Contender,
+    rate: u32,
+) -> Result<Run, LoadError> {
+    let mut all = Run::default();
+    for scene in scenes {
+        let one = run(scenario, scene, &contender.settings(), contender, rate)?;
+        all = Run {
+            verdict: worse(all.verdict, one.verdict),
+            spent: all.spent + one.spent,
+            passed: all.passed + one.passed,
+            ..one
+        };
+    }
+    Ok(all)
 }
 
 fn worse(one: Verdict, other: Verdict) -> Verdict {
@@ -131,7 +155,7 @@ fn run(
     let info = engine.info();
     Ok(Run {
         verdict: verdict.unwrap_or_else(|| watch.verdict()),
-        spent,
+        spent: spent.as_secs_f64(),
         passed: time,
         substeps: info.substeps,
         sweeps: info.sweeps.unwrap_or(0),
