@@ -23,7 +23,7 @@ const TURNS: usize = 4;
 const TWO_BALLS: u32 = 0;
 
 /// The kind of a ball and a box.
-const BALL_AND_BOX: u32 = 1;
+pub(super) const BALL_AND_BOX: u32 = 1;
 
 /// The most points of a pair.
 const MOST_POINTS: usize = 4;
@@ -130,7 +130,7 @@ pub struct Pair<'p> {
     pub bodies: (u32, u32),
     /// Whether they move.
     pub moves: [bool; 2],
-    /// Whether one of them is a box that stands.
+    /// Whether it is a ball on a box that stands.
     pub stands: bool,
     /// Its colour.
     pub colour: u8,
@@ -163,7 +163,7 @@ impl Sorts {
         let manifold = pair.manifold;
         let class = match manifold.kind {
             TWO_BALLS => 0,
-            BALL_AND_BOX if pair.stands => 1,
+            _ if pair.stands => 1,
             _ => 1 + manifold.points as usize,
         };
         self.first(class, usize::from(pair.colour)) + manifold.turns as usize
@@ -325,7 +325,13 @@ fn fill<'p, R: Real, const P: usize>(
             let known = lanes[..=lane].iter().rev().find(|pair| **pair != u32::MAX);
             pair(*known.unwrap_or(&lanes[0]) as usize)
         };
-        let pairs: [_; MOST_LANES] = array_of(|lane| pair(lane.min(R::LANES - 1)));
+        let mut last = pair(0);
+        let pairs: [_; MOST_LANES] = array_of(|lane| {
+            if (1..R::LANES).contains(&lane) {
+                last = pair(lane);
+            }
+            last
+        });
         Batch {
             rows: [
                 array_of(|lane| pairs[lane].bodies.0),

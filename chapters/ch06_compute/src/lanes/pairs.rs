@@ -4,7 +4,7 @@ use rayon::iter::{
     IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
 };
 
-use super::batches::{Batches, Pair};
+use super::batches::{BALL_AND_BOX, Batches, Pair};
 use super::coloured::Colours;
 use super::sleep::KeptPair;
 use super::threads;
@@ -109,12 +109,13 @@ impl<R: Real> Pairs<R> {
             .fill(self.bodies.len(), colours, least, |pair| {
                 let (a, b) = self.bodies[pair];
                 let (colour, moves) = self.colours.at(pair);
+                let manifold = &self.manifold[pair];
                 Pair {
                     bodies: (a as u32, b as u32),
                     moves,
-                    stands: stands(a) || stands(b),
+                    stands: manifold.kind == BALL_AND_BOX && (stands(a) || stands(b)),
                     colour,
-                    manifold: &self.manifold[pair],
+                    manifold,
                     material: &self.material[pair],
                     impulse: &self.impulse[pair],
                 }

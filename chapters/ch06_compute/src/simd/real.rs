@@ -11,13 +11,13 @@ pub type Four = f32x4;
 /// Eight lanes: two instructions of four where the processor has no wider ones.
 pub type Eight = f32x8;
 
-/// As many lanes as the processors that the program is built for compute with one instruction. Twice as many would
-/// be twice the instructions and registers, and as many more lanes that are left over: of the same bits, and slower.
+/// As many lanes as the processors that the program is built for compute with one instruction. Twice as many have
+/// the same bits; they take twice the instructions and registers, and more of them are left over in small scenes.
 #[cfg(target_feature = "avx")]
 pub type Widest = Eight;
 
-/// As many lanes as the processors that the program is built for compute with one instruction. Twice as many would
-/// be twice the instructions and registers, and as many more lanes that are left over: of the same bits, and slower.
+/// As many lanes as the processors that the program is built for compute with one instruction. Twice as many have
+/// the same bits; they take twice the instructions and registers, and more of them are left over in small scenes.
 #[cfg(not(target_feature = "avx"))]
 pub type Widest = Four;
 
