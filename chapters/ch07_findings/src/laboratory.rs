@@ -4,12 +4,14 @@
 pub mod cell;
 pub mod charts;
 pub mod contenders;
+mod costs;
 pub mod drift;
 pub mod floor;
 pub mod runs;
 pub mod scenario;
 pub mod scenarios;
 pub mod store;
+mod tables;
 
 pub use cell::{Cell, End};
 pub use contenders::{CONTENDERS, Contender};

@@ -1,8 +1,5 @@
-//! What the laboratory shows: work against precision and error against rate of each scenario, what one per
-//! cent costs, and a table of all at 60 Hz.
+//! What the laboratory shows of each scenario: work against precision, and error against rate.
 
-use std::fmt::Write as _;
-use std::ops::RangeInclusive;
 use std::path::Path;
 use std::time::Instant;
 
@@ -12,31 +9,16 @@ use super::runs::measure;
 use super::scenario::Scenario;
 use super::scenarios::SCENARIOS;
 use super::store::Store;
+use super::{costs, tables};
 use crate::FindingsError;
-use crate::chart::{Axis, Bar, Bars, Chart, Group, Picture, Series, Style};
+use crate::chart::{Axis, Chart, Picture, Series, Style};
 use crate::product::{Product, Say};
-use crate::table::{Table, three_digits};
+use crate::table::three_digits;
 
 /// The rate at which methods are compared in the table, 1/s.
-const USUAL: u32 = 60;
+pub(super) const USUAL: u32 = 60;
 /// Rates that are tried in a hurry, 1/s.
 const QUICK_RATES: [u32; 2] = [60, 240];
-/// The first of the integrators of bodies that are alone.
-const FIRST_ALONE: &str = "constant-spin";
-
-/// A chart's name, what it is about, and the numbers of its scenarios.
-type Part = (&'static str, &'static str, RangeInclusive<u32>);
-
-/// The charts of what one per cent costs.
-const COSTS: [Part; 3] = [
-    ("laboratory_costs", "bodies that are alone", 1..=8),
-    ("laboratory_costs_contacts", "joints and impacts", 9..=17),
-    (
-        "laboratory_costs_crowds",
-        "crowds, towers and chains",
-        18..=24,
-    ),
-];
 
 /// All scenarios: every cell that is not in the folder's table yet is measured, then all is drawn.
 ///
@@ -44,17 +26,14 @@ const COSTS: [Part; 3] = [
 /// [`FindingsError`] where a scene can't be built, or the table can't be read or written.
 pub fn product(quick: bool, folder: &Path, say: Say) -> Result<Product, FindingsError> {
     let store = measured(SCENARIOS, quick, folder, say)?;
-    let mut charts: Vec<Picture> = COSTS
-        .iter()
-        .map(|part| cost(&store.cells, part).into())
-        .collect();
+    let mut charts = costs::charts(&store.cells);
     for scenario in SCENARIOS {
         charts.extend(pictures(scenario, &store.cells));
     }
     Ok(Product {
         charts,
-        csv: costs_csv(&store.cells),
-        page: Some(tables(&store.cells)),
+        csv: costs::csv(&store.cells),
+        page: Some(tables::all(&store.cells)),
     })
 }
 
@@ -74,7 +53,7 @@ pub fn product_of(
     Ok(Product {
         charts: pictures(scenario, &cells).into(),
         csv: format!("{}\n{}\n", super::cell::HEADINGS, lines.join("\n")),
-        page: Some(page(scenario, &cells)),
+        page: Some(tables::of_one(scenario, &cells)),
     })
 }
 
@@ -135,12 +114,13 @@ fn progress(cell: &Cell, done: usize, all: usize, seconds: f64) -> String {
     )
 }
 
-fn of<'a>(cells: &'a [Cell], scenario: &'a str) -> impl Iterator<Item = &'a Cell> {
+/// The cells of a scenario.
+pub(super) fn of<'a>(cells: &'a [Cell], scenario: &'a str) -> impl Iterator<Item = &'a Cell> {
     cells.iter().filter(move |cell| cell.scenario == scenario)
 }
 
 /// The cells of a contender, by rate; none of what it can't do.
-fn by<'a>(cells: &'a [Cell], scenario: &'a str, contender: &Contender) -> Vec<&'a Cell> {
+pub(super) fn by<'a>(cells: &'a [Cell], scenario: &'a str, contender: &Contender) -> Vec<&'a Cell> {
     let name = contender.name;
     let same = |cell: &&Cell| cell.contender == name && !matches!(cell.end, End::Cannot(_));
     let mut cells: Vec<_> = of(cells, scenario).filter(same).collect();
@@ -148,7 +128,13 @@ fn by<'a>(cells: &'a [Cell], scenario: &'a str, contender: &Contender) -> Vec<&'
     cells
 }
 
-fn at<'a>(cells: &'a [Cell], scenario: &str, contender: &str, rate: u32) -> Option<&'a Cell> {
+/// One cell.
+pub(super) fn at<'a>(
+    cells: &'a [Cell],
+    scenario: &str,
+    contender: &str,
+    rate: u32,
+) -> Option<&'a Cell> {
     cells
         .iter()
         .find(|cell| cell.key() == (scenario, contender, rate))
@@ -253,147 +239,6 @@ fn against_rate(scenario: &Scenario, cells: &[Cell]) -> Chart {
     }
 }
 
-/// What the cheapest run of a contender costs that errs by one per cent at most, s/s.
-fn cost_of_one_percent(cells: &[Cell], scenario: &Scenario, contender: &Contender) -> Option<f64> {
-    let good = |cell: &&&Cell| cell.is_measured() && cell.error <= scenario.one_percent;
-    let cells = by(cells, scenario.name, contender);
-    let costs = cells.iter().filter(good).map(|cell| cell.cost);
-    costs.min_by(f64::total_cmp)
-}
-
-fn cost(cells: &[Cell], (name, what, numbers): &Part) -> Bars {
-    let group = |scenario: &Scenario| Group {
-        name: format!("{}. {}", scenario.number, scenario.title),
-        bars: CONTENDERS
-            .iter()
-            .filter(|contender| !by(cells, scenario.name, contender).is_empty())
-            .map(|contender| {
-                let cost = cost_of_one_percent(cells, scenario, contender);
-                Bar {
-                    name: contender.name.to_owned(),
-                    lengths: vec![cost.map_or(0.0, |cost| (1e6 * cost).log10().max(0.0))],
-                    spread: None,
-                    note: cost.map_or("never".to_owned(), |cost| three_digits(1e6 * cost)),
-                }
-            })
-            .collect(),
-    };
-    Bars {
-        name,
-        title: format!(
-            "What an error of one per cent costs, {what}: µs of processor time for a second of the scene"
-        ),
-        label: "powers of ten (µs)".to_owned(),
-        parts: vec!["cheapest run within one per cent"],
-        groups: SCENARIOS
-            .iter()
-            .filter(|scenario| numbers.contains(&scenario.number))
-            .map(group)
-            .collect(),
-    }
-}
-
-fn costs_csv(cells: &[Cell]) -> String {
-    let mut text = "scenario,contender,one per cent,unit,CPU time (s/s)\n".to_owned();
-    for scenario in SCENARIOS {
-        for contender in CONTENDERS {
-            let cost = cost_of_one_percent(cells, scenario, contender);
-            let cost = cost.map_or("never".to_owned(), |cost| format!("{cost:e}"));
-            let _ = writeln!(
-                text,
-                "{},{},{},{},{cost}",
-                scenario.name, contender.name, scenario.one_percent, scenario.unit
-            );
-        }
-    }
-    text
-}
-
-/// How a cell stands in a table.
-fn told(cell: Option<&Cell>, pass: f64) -> String {
-    match cell {
-        None => String::new(),
-        Some(cell) => match &cell.end {
-            End::Cannot(_) => "–".to_owned(),
-            End::Failed(how) => how.clone(),
-            End::Measured if cell.error <= pass => format!("**{}**", three_digits(cell.error)),
-            End::Measured => three_digits(cell.error),
-        },
-    }
-}
-
-fn tables(cells: &[Cell]) -> String {
-    let first = CONTENDERS
-        .iter()
-        .position(|contender| contender.name == FIRST_ALONE);
-    let (solvers, alone) = CONTENDERS.split_at(first.unwrap_or(CONTENDERS.len()));
-    let free = |scenario: &&Scenario| {
-        let any = |contender: &Contender| !by(cells, scenario.name, contender).is_empty();
-        alone.iter().any(any)
-    };
-    let all: Vec<&Scenario> = SCENARIOS.iter().collect();
-    let free: Vec<&Scenario> = SCENARIOS.iter().filter(free).collect();
-    format!(
-        "{}\nBodies that are alone, by the usual integrators:\n\n{}",
-        table(cells, &all, solvers),
-        table(cells, &free, alone)
-    )
-}
-
-fn table(cells: &[Cell], scenarios: &[&Scenario], contenders: &[Contender]) -> String {
-    let names = contenders.iter().map(|contender| contender.name);
-    let headings: Vec<&str> = ["scenario at 60 Hz", "to reach"]
-        .into_iter()
-        .chain(names)
-        .collect();
-    let mut table = Table::new(&headings);
-    for scenario in scenarios {
-        let reach = format!("{} {}", three_digits(scenario.pass), scenario.unit);
-        let mut row = vec![format!("{}. {}", scenario.number, scenario.title), reach];
-        row.extend(contenders.iter().map(|contender| {
-            told(
-                at(cells, scenario.name, contender.name, USUAL),
-                scenario.pass,
-            )
-        }));
-        table.push(row);
-    }
-    table.markdown(1)
-}
-
-fn page(scenario: &Scenario, cells: &[Cell]) -> String {
-    let mut table = Table::new(&[
-        "method",
-        "Hz",
-        "substeps",
-        "sweeps",
-        "error",
-        "µs a second",
-        "",
-    ]);
-    for contender in CONTENDERS {
-        for cell in by(cells, scenario.name, contender) {
-            table.push(vec![
-                cell.contender.clone(),
-                cell.rate.to_string(),
-                cell.substeps.to_string(),
-                if cell.sweeps == 0 {
-                    String::new()
-                } else {
-                    cell.sweeps.to_string()
-                },
-                three_digits(cell.error),
-                three_digits(1e6 * cell.cost),
-                match &cell.end {
-                    End::Failed(how) => how.clone(),
-                    _ => String::new(),
-                },
-            ]);
-        }
-    }
-    table.markdown(1)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -426,27 +271,6 @@ mod tests {
             cell("runge-kutta", 240, 4.0, 0.01),
         ];
         assert_eq!(front(cells.iter()), [(1.0, 0.5), (2.0, 0.1), (4.0, 0.01)]);
-    }
-
-    #[test]
-    fn what_never_errs_by_so_little_costs_nothing_that_could_be_told() {
-        let cells = [
-            cell("splitting", 60, 1.0, 0.5),
-            cell("splitting", 120, 2.0, 0.001),
-        ];
-        let scenario = SCENARIOS
-            .iter()
-            .find(|known| known.name == "free_top")
-            .expect("4");
-        let by_name = |name| {
-            CONTENDERS
-                .iter()
-                .find(|known| known.name == name)
-                .expect("known")
-        };
-        let cost = |name| cost_of_one_percent(&cells, scenario, by_name(name));
-        assert_eq!(cost("splitting"), Some(2.0));
-        assert_eq!(cost("runge-kutta"), None);
     }
 
     #[test]
