@@ -85,6 +85,7 @@ pub mod double {
     pub mod bodies;
     pub mod constant_spin;
     pub mod contacts;
+    pub mod direct_joints;
     pub mod engine;
     pub mod explicit_gyro;
     pub mod implicit_gyro;
@@ -178,6 +179,7 @@ pub mod single {
     pub mod bodies;
     pub mod constant_spin;
     pub mod contacts;
+    pub mod direct_joints;
     pub mod engine;
     pub mod explicit_gyro;
     pub mod implicit_gyro;

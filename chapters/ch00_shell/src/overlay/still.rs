@@ -104,3 +104,12 @@ impl Still {
         }
     }
 }
+
+impl Drop for Still {
+    /// A picture that nobody wants any more needs no textures; egui would ask why they were never made.
+    fn drop(&mut self) {
+        if let Some(layout) = &mut self.layout {
+            layout.output.textures_delta.clear();
+        }
+    }
+}

@@ -97,6 +97,7 @@ pub const CONTENDERS: &[Contender] = &[
     usual("sequential-impulses", Style::Other(2)),
     usual("soft-step", Style::Other(3)),
     usual("xpbd", Style::Other(4)),
+    usual("direct-joints", Style::Other(15)),
     #[cfg(feature = "rapier")]
     rapier("rapier", "shipped", Style::Other(13)),
     #[cfg(feature = "rapier")]

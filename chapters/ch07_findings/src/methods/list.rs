@@ -4,8 +4,8 @@ use ch00_scenes::Method;
 
 use super::world::Step;
 use super::{
-    constant_spin, explicit_gyro, implicit_gyro, runge_kutta, sequential_impulses, soft_step,
-    splitting, xpbd,
+    constant_spin, direct_joints, explicit_gyro, implicit_gyro, runge_kutta, sequential_impulses,
+    soft_step, splitting, xpbd,
 };
 
 /// A method, as the list has it.
@@ -24,7 +24,7 @@ pub struct Listed {
 }
 
 /// All of them.
-pub const LIST: [Listed; 8] = [
+pub const LIST: [Listed; 9] = [
     solver(
         "sequential-impulses",
         "sequential impulses with warm starting and Baumgarte's stabilisation, ten sweeps a step",
@@ -45,6 +45,13 @@ pub const LIST: [Listed; 8] = [
         xpbd::step,
         20,
         1,
+    ),
+    solver(
+        "direct-joints",
+        "all joints at once by Cholesky's factors, contacts by sweeps in between",
+        direct_joints::step,
+        8,
+        2,
     ),
     alone(
         "constant-spin",
@@ -74,8 +81,8 @@ pub const LIST: [Listed; 8] = [
 ];
 
 /// Their names and sentences, the default first.
-pub const METHODS: [Method; 8] = {
-    let mut methods = [LIST[0].method; 8];
+pub const METHODS: [Method; 9] = {
+    let mut methods = [LIST[0].method; 9];
     let mut k = 0;
     while k < LIST.len() {
         methods[k] = LIST[k].method;

@@ -75,7 +75,8 @@ fn joint_rows(world: &World, h: Real) -> Vec<Ready> {
 // ANCHOR: touches
 /// A contact that is apart may close its gap and no more; one that comes fast and will bounce is left alone
 /// until it is there. One that is there shall not go deeper, mends a part of its depth, and bounces.
-fn touches(world: &World, approaches: &[Real], h: Real) -> Vec<Option<(Touch, Ready)>> {
+#[must_use]
+pub fn touches(world: &World, approaches: &[Real], h: Real) -> Vec<Option<(Touch, Ready)>> {
     let ready = |(contact, &approach): (&Contact, &Real)| {
         let touch = contact.touch(&world.bodies);
         let bounces = contact.restitution > 0.0 && approach < -world.restitution_threshold;
@@ -93,10 +94,15 @@ fn touches(world: &World, approaches: &[Real], h: Real) -> Vec<Option<(Touch, Re
 // ANCHOR_END: touches
 
 fn press_again(world: &mut World, rows: &[Ready], touches: &[Option<(Touch, Ready)>]) {
-    let bodies = &mut world.bodies;
     for (joint, ready) in world.joints.iter().zip(rows) {
-        ready.row.press(bodies, joint.impulse);
+        ready.row.press(&mut world.bodies, joint.impulse);
     }
+    press_contacts_again(world, touches);
+}
+
+/// Contacts begin with what they pressed in the last substep.
+pub fn press_contacts_again(world: &mut World, touches: &[Option<(Touch, Ready)>]) {
+    let bodies = &mut world.bodies;
     for (contact, touch) in world.contacts.points.iter_mut().zip(touches) {
         if let Some((touch, ready)) = touch {
             ready.row.press(bodies, contact.impulse);
@@ -120,7 +126,8 @@ fn solve_joints(world: &mut World, rows: &[Ready]) {
     }
 }
 
-fn solve_contacts(world: &mut World, touches: &[Option<(Touch, Ready)>]) {
+/// A sweep over the contacts.
+pub fn solve_contacts(world: &mut World, touches: &[Option<(Touch, Ready)>]) {
     for (contact, touch) in world.contacts.points.iter_mut().zip(touches) {
         let Some((touch, ready)) = touch else {
             continue;
