@@ -92,11 +92,21 @@ fn single_precision_adds_its_rounding_and_no_more() {
 fn a_pair_of_balls_keeps_its_momentum_with_every_solver() {
     let scene = ch00_scenes::builtin::build("pair", None, None).expect("built in");
     let before = ch00_scenes::measures::Conserved::of(&scene, &State::start_of(&scene));
-    for method in ["sequential-impulses", "soft-step", "xpbd"] {
+    for method in ["sequential-impulses", "soft-step", "xpbd", "direct-joints"] {
         let state = end(DOUBLE, &scene, &settings(method, None));
         let after = ch00_scenes::measures::Conserved::of(&scene, &state);
         let lost = after.momentum.distance(before.momentum);
         assert!(lost < 1e-12, "{method}: {lost}");
+    }
+}
+
+#[test]
+fn joints_that_are_solved_at_once_hold_together() {
+    let scene = scene("hanging_chain");
+    for (method, most) in [("direct-joints", 1e-9), ("xpbd", 1e-3)] {
+        let state = end(DOUBLE, &scene, &settings(method, None));
+        let apart = ch00_scenes::measures::joint_separation(&scene, &state).expect("it has joints");
+        assert!(apart < most, "{method}: {apart}");
     }
 }
 
