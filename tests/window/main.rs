@@ -29,6 +29,39 @@ fn pause() {
     std::thread::sleep(Duration::from_millis(700));
 }
 
+/// How often one looks whether a key has been seen: a software device draws few frames a second, and it has other
+/// things to do.
+const LOOKS: u32 = 8;
+
+/// The screen once more than so many pixels of a part differ from an earlier picture, or as it is in the end.
+fn changed(desktop: &mut Desktop, before: &Picture, part: Area, pixels: usize) -> Picture {
+    let mut now = desktop.screenshot();
+    for _ in 0..LOOKS {
+        pause();
+        now = desktop.screenshot();
+        if before.differences(&now, part) > pixels {
+            break;
+        }
+    }
+    now
+}
+
+/// The screen once the scene stands still.
+fn still(desktop: &mut Desktop, key: &str) -> Picture {
+    let mut last = desktop.screenshot();
+    let mut moved = 0;
+    for _ in 0..LOOKS {
+        pause();
+        let now = desktop.screenshot();
+        moved = last.differences(&now, SCENE);
+        if moved == 0 {
+            return now;
+        }
+        last = now;
+    }
+    panic!("{key} doesn't stop it: {moved} pixels changed");
+}
+
 #[test]
 fn balls_floor_and_overlay_are_there_and_the_balls_move() {
     let mut desktop = Desktop::with_window(&[]);
@@ -54,34 +87,25 @@ fn balls_floor_and_overlay_are_there_and_the_balls_move() {
 fn keys_pause_step_throw_reset_and_hide_the_panel() {
     let mut desktop = Desktop::with_window(&[]);
     desktop.press("space");
-    pause();
-    let paused = desktop.screenshot();
-    pause();
-    let still = desktop.screenshot();
-    let moved = paused.differences(&still, SCENE);
-    assert_eq!(moved, 0, "Space doesn't pause: {moved} pixels changed");
+    let paused = still(&mut desktop, "Space");
 
     desktop.press("period");
-    pause();
-    let stepped = desktop.screenshot();
+    let stepped = changed(&mut desktop, &paused, SCENE, 100);
     let moved = paused.differences(&stepped, SCENE);
     assert!(moved > 100, "`.` makes no step: {moved} pixels changed");
 
     desktop.press("f");
-    pause();
-    let thrown = desktop.screenshot();
+    let thrown = changed(&mut desktop, &stepped, SCENE, 100);
     let moved = stepped.differences(&thrown, SCENE);
     assert!(moved > 100, "F throws no ball: {moved} pixels changed");
 
     desktop.press("r");
-    pause();
-    let reset = desktop.screenshot();
+    let reset = changed(&mut desktop, &thrown, SCENE, 1000);
     let moved = thrown.differences(&reset, SCENE);
     assert!(moved > 1000, "R resets nothing: {moved} pixels changed");
 
     desktop.press("h");
-    pause();
-    let hidden = desktop.screenshot();
+    let hidden = changed(&mut desktop, &reset, IN_PANEL, 10_000);
     let share = hidden.share_of_commonest(IN_PANEL);
     assert!(
         share < 0.5,
@@ -120,32 +144,28 @@ fn keys_show_layers_and_step_through_the_narrow_phase_of_a_pair() {
     let mut desktop = Desktop::with_window(&["--scene", "mixed", "--count", "20"]);
     std::thread::sleep(Duration::from_secs(4)); // until they have fallen
     desktop.press("space");
-    pause();
-    let plain = desktop.screenshot();
+    let plain = still(&mut desktop, "Space");
     desktop.press("3");
-    pause();
-    let contacts = desktop.screenshot();
+    let contacts = changed(&mut desktop, &plain, SCENE, 1000);
     let drawn = plain.differences(&contacts, SCENE);
     assert!(drawn > 1000, "3 shows no contacts: {drawn} pixels changed");
     desktop.press("x");
-    pause();
-    let solid = desktop.screenshot();
-    let changed = contacts.differences(&solid, SCENE);
-    assert!(changed > 1000, "X leaves bodies of glass: {changed} pixels");
+    let solid = changed(&mut desktop, &contacts, SCENE, 1000);
+    let drawn = contacts.differences(&solid, SCENE);
+    assert!(drawn > 1000, "X leaves bodies of glass: {drawn} pixels");
 
     desktop.press("g");
-    pause();
-    let end = desktop.screenshot();
+    changed(&mut desktop, &solid, NARROW, 10_000);
+    let end = still(&mut desktop, "G");
     let opened = solid.differences(&end, NARROW);
     assert!(opened > 10_000, "G opens no panel: {opened} pixels changed");
     desktop.press("Left");
-    pause();
-    let before = desktop.screenshot();
+    let before = changed(&mut desktop, &end, NARROW, 100);
     let stepped = end.differences(&before, NARROW);
     assert!(stepped > 100, "Left goes nowhere: {stepped} pixels changed");
     desktop.press("End");
-    pause();
-    let back = desktop.screenshot();
+    changed(&mut desktop, &before, NARROW, 100);
+    let back = still(&mut desktop, "End");
     assert_eq!(end.differences(&back, NARROW), 0, "End isn't where G began");
 
     for key in ["b", "g", "x", "3"] {
@@ -172,8 +192,7 @@ fn a_race_has_four_views_of_one_camera_and_plots_and_escape_ends_it() {
     let first = desktop.screenshot();
     std::thread::sleep(Duration::from_secs(3));
     desktop.press("space");
-    pause();
-    let paused = desktop.screenshot();
+    let paused = still(&mut desktop, "Space");
     for view in VIEWS {
         let colors = paused.colors(view);
         assert!(colors > 200, "only {colors} colours in a view");
@@ -185,8 +204,8 @@ fn a_race_has_four_views_of_one_camera_and_plots_and_escape_ends_it() {
     assert_panel(&paused);
 
     desktop.drag([900, 400], [1000, 420]);
-    pause();
-    let turned = desktop.screenshot();
+    changed(&mut desktop, &paused, VIEWS[3], 5000);
+    let turned = still(&mut desktop, "letting go");
     for view in VIEWS {
         let moved = paused.differences(&turned, view);
         assert!(moved > 5000, "a view doesn't turn with the others: {moved}");
@@ -194,8 +213,7 @@ fn a_race_has_four_views_of_one_camera_and_plots_and_escape_ends_it() {
     desktop.press("period");
     pause();
     desktop.press("Escape");
-    pause();
-    let one = desktop.screenshot();
+    let one = changed(&mut desktop, &turned, SCENE, 10_000);
     assert_panel(&one);
     assert!(one.differences(&turned, SCENE) > 10_000, "Escape leaves it");
     assert!(desktop.close().success(), "the program ended with an error");
