@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, RichText, Ui, Visuals, vec2};
 
+use super::transport::clock_buttons;
 use super::{Panels, WIDTH, hint, style};
 use crate::side_by_side::{SideBySide, View, arrange};
 use crate::stage::Stage;
@@ -83,16 +84,7 @@ impl Panels {
 }
 
 fn buttons(ui: &mut Ui, stage: &mut Stage) {
-    let pause = if stage.is_paused { "Run" } else { "Pause" };
-    if ui.button(pause).on_hover_text("Space").clicked() {
-        stage.toggle_pause();
-    }
-    if ui.button("Step").on_hover_text(". or N").clicked() {
-        stage.step_once();
-    }
-    if ui.button("Reset").on_hover_text("R").clicked() {
-        stage.reset();
-    }
+    clock_buttons(ui, stage);
     if ui.button("Close").on_hover_text("Esc").clicked() {
         stage.close_beside();
     }

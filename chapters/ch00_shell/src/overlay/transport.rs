@@ -29,6 +29,14 @@ pub fn show(ui: &mut egui::Ui, stage: &mut Stage) {
 }
 
 fn buttons(ui: &mut egui::Ui, stage: &mut Stage) {
+    clock_buttons(ui, stage);
+    if ui.button("Throw").on_hover_text("F or T").clicked() {
+        stage.throw_ball();
+    }
+}
+
+/// What stops, steps and begins anew, whether one run is shown or several.
+pub(super) fn clock_buttons(ui: &mut egui::Ui, stage: &mut Stage) {
     let pause = if stage.is_paused { "Run" } else { "Pause" };
     if ui.button(pause).on_hover_text("Space").clicked() {
         stage.toggle_pause();
@@ -38,9 +46,6 @@ fn buttons(ui: &mut egui::Ui, stage: &mut Stage) {
     }
     if ui.button("Reset").on_hover_text("R").clicked() {
         stage.reset();
-    }
-    if ui.button("Throw").on_hover_text("F or T").clicked() {
-        stage.throw_ball();
     }
 }
 
