@@ -7,33 +7,27 @@ use super::world::{Knobs, World};
 
 /// A step.
 pub fn step(world: &mut World, dt: Real, knobs: Knobs) {
-    each_alone(world, dt, knobs, moved);
+    each_alone(world, dt, knobs, |body, h| euler(body, h, spun));
 }
 
-// ANCHOR: constant_spin
-/// v ← v + g h, ω ← ω + I⁻¹ τ h, then x and q with the new ones.
-fn moved(body: Alone, h: Real) -> Alone {
-    let turned = rotation::moment(
-        body.attitude,
-        body.inertia.recip(),
-        body.torque(body.attitude),
-    );
-    euler(body, body.angular_velocity + turned * h, h)
-}
-// ANCHOR_END: constant_spin
-
-/// Semi-implicit Euler with a new spin.
+// ANCHOR: euler
+/// Semi-implicit Euler: v ← v + g h, ω ← what the body's own spin becomes, and I⁻¹ τ h, then x and q with the
+/// new ones.
 #[must_use]
-pub fn euler(body: Alone, angular_velocity: Vec3, h: Real) -> Alone {
+pub fn euler(body: Alone, h: Real, spun: fn(Quat, Vec3, Vec3, Real) -> Vec3) -> Alone {
+    let (q, inertia) = (body.attitude, body.inertia);
+    let pulled = rotation::moment(q, inertia.recip(), body.torque(q));
+    let angular_velocity = spun(q, inertia, body.angular_velocity, h) + pulled * h;
     let velocity = body.velocity + body.gravity * h;
     Alone {
         velocity,
         angular_velocity,
         position: body.position + velocity * h,
-        attitude: rotation::turned(body.attitude, angular_velocity * h),
+        attitude: rotation::turned(q, angular_velocity * h),
         ..body
     }
 }
+// ANCHOR_END: euler
 
 /// What a body does to its own spin: nothing.
 #[must_use]

@@ -1,24 +1,14 @@
 //! Semi-implicit Euler with the gyroscopic torque of the spin that it leads to, by one step of Newton's
 //! method. [Catto, GDC 2015] It is stable because it throws energy away.
 
-use super::alone::{Alone, each_alone};
+use super::alone::each_alone;
 use super::constant_spin::euler;
-use super::real::{Mat3, Quat, Real, Vec3, rotation};
+use super::real::{Mat3, Quat, Real, Vec3};
 use super::world::{Knobs, World};
 
 /// A step.
 pub fn step(world: &mut World, dt: Real, knobs: Knobs) {
-    each_alone(world, dt, knobs, moved);
-}
-
-fn moved(body: Alone, h: Real) -> Alone {
-    let pulled = rotation::moment(
-        body.attitude,
-        body.inertia.recip(),
-        body.torque(body.attitude),
-    );
-    let spin = spun(body.attitude, body.inertia, body.angular_velocity, h);
-    euler(body, spin + pulled * h, h)
+    each_alone(world, dt, knobs, |body, h| euler(body, h, spun));
 }
 
 // ANCHOR: implicit_gyro
