@@ -164,18 +164,21 @@ fn pictures(scenario: &Scenario, cells: &[Cell]) -> [Picture; 2] {
     ]
 }
 
+/// A curve for every contender that can run the scenario, over something of its cells.
+fn curves(scenario: &Scenario, cells: &[Cell], x: fn(&Cell) -> f64) -> Vec<Series> {
+    let curve = |contender: &Contender| {
+        let cells = by(cells, scenario.name, contender);
+        let points = cells.iter().map(|cell| (x(cell), cell.drawn()));
+        Series::new(contender.name, contender.style, points)
+    };
+    let all = CONTENDERS.iter().map(curve);
+    all.filter(|series| !series.points.is_empty()).collect()
+}
+
 // ANCHOR: work_precision
 /// A curve a method, a mark a rate; the dashed line goes along those that nobody beats in both.
 fn work_precision(scenario: &Scenario, cells: &[Cell]) -> Chart {
-    let mut series: Vec<Series> = CONTENDERS
-        .iter()
-        .map(|contender| {
-            let cells = by(cells, scenario.name, contender);
-            let points = cells.iter().map(|cell| (cell.cost, cell.drawn()));
-            Series::new(contender.name, contender.style, points)
-        })
-        .filter(|series| !series.points.is_empty())
-        .collect();
+    let mut series = curves(scenario, cells, |cell| cell.cost);
     let at_usual = of(cells, scenario.name).filter(|cell| cell.rate == USUAL);
     let at_usual = at_usual.filter(|cell| cell.is_measured());
     let usual = at_usual.map(|cell| (cell.cost, cell.error));
@@ -212,17 +215,7 @@ fn front<'a>(cells: impl Iterator<Item = &'a Cell>) -> Vec<(f64, f64)> {
 // ANCHOR_END: work_precision
 
 fn against_rate(scenario: &Scenario, cells: &[Cell]) -> Chart {
-    let mut series: Vec<Series> = CONTENDERS
-        .iter()
-        .map(|contender| {
-            let cells = by(cells, scenario.name, contender);
-            let points = cells
-                .iter()
-                .map(|cell| (f64::from(cell.rate), cell.drawn()));
-            Series::new(contender.name, contender.style, points)
-        })
-        .filter(|series| !series.points.is_empty())
-        .collect();
+    let mut series = curves(scenario, cells, |cell| f64::from(cell.rate));
     let ends = [scenario.rates[0], scenario.rates[scenario.rates.len() - 1]].map(f64::from);
     series.push(Series::of(
         "to reach at 60 Hz",

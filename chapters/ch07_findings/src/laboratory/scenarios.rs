@@ -27,6 +27,7 @@ mod spin_kept;
 mod stack;
 mod stall;
 mod start_up;
+mod swings;
 mod tunnelling;
 mod uneven_steps;
 

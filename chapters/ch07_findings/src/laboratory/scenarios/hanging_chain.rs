@@ -3,9 +3,9 @@
 use ch00_scenes::{Body, Joint, Scene, Shape};
 use glam::{DQuat, DVec3};
 
-use super::{G, block, share};
-use crate::lab::Moment;
-use crate::laboratory::scenario::{SOME_RATES, Scenario, Verdict, Watch, timed};
+use super::swings::Swings;
+use super::{G, block};
+use crate::laboratory::scenario::{SOME_RATES, Scenario, timed};
 
 const LINKS: usize = 10;
 /// Of a link, m.
@@ -28,7 +28,7 @@ pub const SCENARIO: Scenario = Scenario {
     pass: 0.01,
     rates: SOME_RATES,
     scenes: |rate, _| Ok(vec![timed(scene(), rate, 4.3 * PERIOD)]),
-    watcher: |_| Box::new(Swings::default()),
+    watcher: |_| Box::new(Swings::new(PERIOD, |state| state.position[LINKS].x)),
     steps: None,
     page: "ch06_ragdolls",
 };
@@ -81,35 +81,6 @@ fn inertia_times(angles: &[f64; LINKS]) -> [f64; LINKS] {
         let along: f64 = (0..LINKS).map(|k| arm(k, i) * moved[k]).sum();
         along + LENGTH * LENGTH / 12.0 * angles[i]
     })
-}
-
-/// When the lowest link goes through the middle.
-#[derive(Default)]
-struct Swings {
-    last: Option<(f64, f64)>,
-    crossings: Vec<f64>,
-}
-
-impl Watch for Swings {
-    fn see(&mut self, now: &Moment) {
-        let side = now.state.position[LINKS].x;
-        if let Some((time, last)) = self.last
-            && last * side < 0.0
-        {
-            self.crossings
-                .push(time + (now.time - time) * last / (last - side));
-        }
-        self.last = Some((now.time, side));
-    }
-
-    fn verdict(&self) -> Verdict {
-        let halves = self.crossings.len().saturating_sub(1) / 2 * 2;
-        if halves == 0 {
-            return Verdict::failed("no swing");
-        }
-        let mean = 2.0 * (self.crossings[halves] - self.crossings[0]) / halves as f64;
-        Verdict::of(share(mean, PERIOD))
-    }
 }
 
 #[cfg(test)]

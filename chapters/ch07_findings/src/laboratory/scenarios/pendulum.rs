@@ -3,9 +3,9 @@
 use ch00_scenes::{Joint, Scene};
 use glam::DVec3;
 
-use super::{ball, block, share};
-use crate::lab::Moment;
-use crate::laboratory::scenario::{SOME_RATES, Scenario, Verdict, Watch, timed};
+use super::swings::Swings;
+use super::{ball, block};
+use crate::laboratory::scenario::{SOME_RATES, Scenario, Watch, timed};
 
 /// Amplitudes, rad, and periods, s, of the reference.
 const SWINGS: [(f64, f64); 3] = [
@@ -32,7 +32,7 @@ pub const SCENARIO: Scenario = Scenario {
             .map(|(angle, period)| timed(scene(angle), rate, 4.3 * period))
             .into())
     },
-    watcher: |scene| Box::new(Swings::of(scene)),
+    watcher: swings,
     steps: None,
     page: "ch03_impulses",
 };
@@ -63,52 +63,13 @@ fn scene(angle: f64) -> Scene {
     scene
 }
 
-/// When it goes through the lowest point.
-struct Swings {
-    pivot: DVec3,
-    period: f64,
-    /// Time and side after the last step.
-    last: Option<(f64, f64)>,
-    /// Times, s.
-    crossings: Vec<f64>,
-}
-
-impl Swings {
-    fn of(scene: &Scene) -> Self {
-        let pivot = scene.bodies[0].position;
-        let way = scene.bodies[1].position - pivot;
-        let angle = way.x.atan2(-way.y);
-        let all = SWINGS.iter().chain([&HIGH_SWING]);
-        let nearest = all.min_by(|a, b| (a.0 - angle).abs().total_cmp(&(b.0 - angle).abs()));
-        Self {
-            pivot,
-            period: nearest.map_or(f64::NAN, |known| known.1),
-            last: None,
-            crossings: Vec::new(),
-        }
-    }
-}
-
-impl Watch for Swings {
-    fn see(&mut self, now: &Moment) {
-        let way = now.state.position[1] - self.pivot;
-        let side = way.x.atan2(-way.y);
-        if let Some((time, last)) = self.last
-            && last * side < 0.0
-            && last.abs() < 1.5
-        {
-            self.crossings
-                .push(time + (now.time - time) * last / (last - side));
-        }
-        self.last = Some((now.time, side));
-    }
-
-    fn verdict(&self) -> Verdict {
-        let halves = self.crossings.len().saturating_sub(1) / 2 * 2;
-        if halves == 0 {
-            return Verdict::failed("no swing");
-        }
-        let mean = 2.0 * (self.crossings[halves] - self.crossings[0]) / halves as f64;
-        Verdict::of(share(mean, self.period))
-    }
+/// Looks for the period of the swing that the scene begins.
+fn swings(scene: &Scene) -> Box<dyn Watch> {
+    let pivot = scene.bodies[0].position;
+    let angle = move |bob: DVec3| (bob.x - pivot.x).atan2(pivot.y - bob.y);
+    let start = angle(scene.bodies[1].position);
+    let all = SWINGS.iter().chain([&HIGH_SWING]);
+    let nearest = all.min_by(|a, b| (a.0 - start).abs().total_cmp(&(b.0 - start).abs()));
+    let period = nearest.map_or(f64::NAN, |known| known.1);
+    Box::new(Swings::new(period, move |state| angle(state.position[1])))
 }

@@ -23,14 +23,18 @@ pub const SCENARIO: Scenario = Scenario {
     rates: MANY_RATES,
     scenes: |rate, _| Ok(vec![scene(rate)]),
     watcher: |_| {
-        let exact = |time: f64| FROM + SPEED * time - DVec3::Y * (0.5 * G * time * time);
-        Box::new(AtTimes::new([SECONDS], move |now, time| {
+        Box::new(AtTimes::new([SECONDS], |now, time| {
             now.state.position[0].distance(exact(time))
         }))
     },
     steps: None,
     page: "ch02_rigid_bodies",
 };
+
+/// Where it is after so long, s.
+pub fn exact(time: f64) -> DVec3 {
+    FROM + SPEED * time - DVec3::Y * (0.5 * G * time * time)
+}
 
 /// The ball, and nothing else.
 pub fn scene(rate: u32) -> Scene {

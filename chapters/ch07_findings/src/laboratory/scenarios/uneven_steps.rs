@@ -35,9 +35,7 @@ struct AtTheEnd {
 
 impl Watch for AtTheEnd {
     fn see(&mut self, now: &Moment) {
-        let t = now.time;
-        let exact = DVec3::new(5.0 * t, 10.0 + 8.0 * t - 0.5 * super::G * t * t, 0.0);
-        self.last = now.state.position[0] - exact;
+        self.last = now.state.position[0] - start_up::exact(now.time);
     }
 
     fn verdict(&self) -> Verdict {
