@@ -85,15 +85,28 @@ impl Desktop {
         self.xdotool(&["windowsize", "--sync", &self.window, &width, &height]);
     }
 
-    /// Takes the window off the screen.
+    /// Takes the window off the screen, and the keyboard with it.
     pub fn hide(&self) {
         self.xdotool(&["windowunmap", "--sync", &self.window]);
     }
 
     /// Puts the window back onto the screen.
     pub fn show(&self) {
-        self.xdotool(&["windowmap", "--sync", &self.window]);
+        self.show_without_keyboard();
         self.focus();
+    }
+
+    /// Puts the window back onto the screen; keys don't go there.
+    pub fn show_without_keyboard(&self) {
+        self.xdotool(&["windowmap", "--sync", &self.window]);
+    }
+
+    /// Gives the window the keyboard while a key is held that was pressed elsewhere.
+    pub fn focus_with_a_key_held(&self, key: &str) {
+        self.xdotool(&["keydown", key]);
+        self.focus();
+        std::thread::sleep(Duration::from_millis(500));
+        self.xdotool(&["keyup", key]);
     }
 
     /// Gives the window the keyboard: there is no window manager here to do it.
@@ -153,6 +166,7 @@ fn start_server() -> (Child, String) {
             &screen,
             "-nolisten",
             "tcp",
+            "-r", // a key that is held doesn't repeat
         ])
         .stdout(Stdio::piped())
         .stderr(Stdio::null())

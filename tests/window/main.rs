@@ -114,6 +114,19 @@ fn keys_pause_step_throw_reset_and_hide_the_panel() {
 }
 
 #[test]
+fn a_key_pressed_elsewhere_and_held_while_the_window_gets_the_keyboard_does_nothing() {
+    let mut desktop = Desktop::with_window(&[]);
+    desktop.hide();
+    desktop.show_without_keyboard();
+    desktop.focus_with_a_key_held("space");
+    let first = desktop.screenshot();
+    pause();
+    let second = desktop.screenshot();
+    let moved = first.differences(&second, SCENE);
+    assert!(moved > 1000, "Space stops it: {moved} pixels changed");
+}
+
+#[test]
 fn resizing_and_hiding_are_survived_and_closing_ends_with_status_0() {
     let mut desktop = Desktop::with_window(&["--count", "10"]);
     desktop.resize(800, 500);

@@ -46,9 +46,12 @@ impl Input {
         let is_on_scene = !is_for_overlay && stage.is_scene_at(self.pointer);
         match event {
             WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
-            WindowEvent::KeyboardInput { event, .. } if !is_for_overlay => {
-                self.on_key(stage, event);
-            }
+            // A synthetic press is a key that was down already when the window got the keyboard.
+            WindowEvent::KeyboardInput {
+                event,
+                is_synthetic: false,
+                ..
+            } if !is_for_overlay => self.on_key(stage, event),
             WindowEvent::MouseInput { state, button, .. } => match state {
                 ElementState::Pressed if is_on_scene => self.press(stage, *button),
                 ElementState::Pressed => {}
