@@ -17,6 +17,7 @@ pub mod integrate;
 mod kept;
 mod lab;
 pub mod laboratory;
+pub mod lanes_kept;
 pub mod lanes_roofline;
 pub mod left_out;
 pub mod limbs;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::chart::{Chart, Picture};
 use crate::errata::ERRATA;
 use crate::laboratory::{self, SCENARIOS, Scenario};
+use crate::lanes_kept::{beside_rapier, long_run, rows_and_colours, sleeping};
 use crate::{
     FindingsError, architecture_method_hardware, balls_on_the_gpu, bounce, broad_phase, chain,
     columns, draw, friction, integrate, lanes_roofline, left_out, limbs, mass_ratio, ragdoll_run,
@@ -49,7 +50,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 22] = [
+const MEASURED: [(&str, &str, Measure); 26] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -154,6 +155,26 @@ const MEASURED: [(&str, &str, Measure); 22] = [
         "substeps_on_the_gpu",
         "what a substep costs on the GPU and what it buys, from a table kept in the book",
         substeps_on_the_gpu::product,
+    ),
+    (
+        "lanes_beside_rapier",
+        "lanes and rapier3d: time against depth, from a table kept in the book",
+        beside_rapier::product,
+    ),
+    (
+        "rows_and_colours",
+        "own rows and colours: depth against work, from a table kept in the book",
+        rows_and_colours::product,
+    ),
+    (
+        "sleeping",
+        "a pile awake and asleep, from a table kept in the book",
+        sleeping::product,
+    ),
+    (
+        "long_run",
+        "a million steps, from a table kept in the book",
+        long_run::product,
     ),
     (
         "lanes_roofline",

@@ -1,0 +1,300 @@
+//! The lanes beside rapier3d: time of a step against how deep 99 of 100 contacts are, and the fastest of ours
+//! of which no error is larger.
+
+use std::fmt::Write as _;
+
+use crate::FindingsError;
+use crate::chart::{Axis, Chart, Series, Style};
+use crate::draw;
+use crate::kept::{Kept, Line, Source};
+use crate::product::{Product, Say};
+use crate::table::{Table, millimetres, three_digits};
+
+/// The kept table.
+const SOURCE: Source = Source {
+    file: "ch06_peer.csv",
+    command: "cargo run --release -p ch06_compute --no-default-features --features rapier --example peer -- \
+              --scene NAME:N,NAME:N,… --csv FILE",
+};
+/// Engines and methods, as the table says them and as charts do.
+const WHO: [(&str, &str, &str, Style); 3] = [
+    ("lanes", "own-row", "own rows", Style::Other(0)),
+    ("lanes", "coloured", "colours", Style::Other(1)),
+    ("rapier", "cones", "Rapier", Style::Marks(13)),
+];
+/// The scenes that are drawn: name and count, of the file, and what they are.
+const DRAWN: [(&str, u32, &str, &str); 3] = [
+    (
+        "balls",
+        1_000,
+        "lanes_beside_rapier",
+        "1,000 balls, settled",
+    ),
+    (
+        "balls",
+        10_000,
+        "lanes_beside_rapier_crash",
+        "10,000 balls, crashing",
+    ),
+    (
+        "ragdolls",
+        80,
+        "lanes_beside_rapier_ragdolls",
+        "80 ragdolls",
+    ),
+];
+
+/// A line of the table.
+#[derive(Clone, Debug, PartialEq)]
+struct Sample {
+    scene: String,
+    count: u32,
+    /// Place in [`WHO`].
+    who: usize,
+    threads: u32,
+    substeps: u32,
+    /// A step, ms.
+    ms: f64,
+    /// What 99 of 100 don't exceed: depth, m; gap of a joint, m; beyond a limit, rad.
+    errors: [Option<f64>; 3],
+    /// Bodies outside, and of numbers that are not finite.
+    gone: u64,
+}
+
+/// Lays out pictures, CSV and page; nothing is measured.
+///
+/// # Errors
+/// [`FindingsError::Kept`] where the table is missing or can't be read.
+pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
+    let made = drawn(&SOURCE.read()?)?;
+    say(&format!("from {}", SOURCE.file));
+    Ok(made)
+}
+
+fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
+    let samples = kept
+        .lines()
+        .map(Sample::of)
+        .collect::<Result<Vec<_>, _>>()?;
+    Ok(Product {
+        charts: DRAWN.map(|known| chart(&samples, known).into()).into(),
+        csv: csv(&samples),
+        page: Some(page(&samples, &kept.origin())),
+    })
+}
+
+impl Sample {
+    fn of(line: Line) -> Result<Self, FindingsError> {
+        let [engine, method] = ["engine", "method"].map(|column| line.text(column));
+        let (engine, method) = (engine?, method?);
+        line.one_of("engine", &WHO.map(|who| who.0))?;
+        line.one_of("method", &WHO.map(|who| who.1))?;
+        let who = WHO
+            .iter()
+            .position(|who| (who.0, who.1) == (engine, method));
+        let some = |column| match line.text(column)? {
+            "" => Ok(None),
+            _ => line.number(column).map(Some),
+        };
+        Ok(Self {
+            scene: line.text("scene")?.to_owned(),
+            count: line.number("count")?,
+            who: who.unwrap_or(0),
+            threads: line.number("threads")?,
+            substeps: line.number("substeps")?,
+            ms: line.positive("ms_median")?,
+            errors: [
+                some("depth_p99_m")?,
+                some("gap_p99_m")?,
+                some("excess_p99_rad")?,
+            ],
+            gone: line.number::<u64>("outside")? + line.number::<u64>("not_finite")?,
+        })
+    }
+
+    fn is_rapier(&self) -> bool {
+        WHO[self.who].0 == "rapier"
+    }
+
+    /// Whether none of its errors is larger than the other's.
+    fn errs_no_more_than(&self, other: &Self) -> bool {
+        let pairs = self.errors.iter().zip(&other.errors);
+        self.gone <= other.gone && pairs.into_iter().all(|(own, other)| own <= other)
+    }
+
+    fn told(&self) -> String {
+        let parts = if self.substeps == 1 {
+            "substep"
+        } else {
+            "substeps"
+        };
+        format!("{} in {} {parts}", WHO[self.who].2, self.substeps)
+    }
+}
+
+fn fastest<'s>(samples: impl Iterator<Item = &'s Sample>) -> Option<&'s Sample> {
+    samples.min_by(|a, b| a.ms.total_cmp(&b.ms))
+}
+
+/// Rapier's fastest of a scene, and the fastest of ours that errs no more.
+fn verdict<'s>(samples: &'s [Sample], scene: (&str, u32)) -> Option<(&'s Sample, &'s Sample)> {
+    let of_scene = || {
+        samples
+            .iter()
+            .filter(move |s| (s.scene.as_str(), s.count) == scene)
+    };
+    let rapier = fastest(of_scene().filter(|s| s.is_rapier()))?;
+    let as_good = |s: &&Sample| !s.is_rapier() && s.errs_no_more_than(rapier);
+    Some((rapier, fastest(of_scene().filter(as_good))?))
+}
+
+/// The scenes of the table, in its order.
+fn scenes(samples: &[Sample]) -> Vec<(&str, u32)> {
+    let mut scenes: Vec<_> = samples
+        .iter()
+        .map(|s| (s.scene.as_str(), s.count))
+        .collect();
+    scenes.dedup();
+    scenes
+}
+
+/// The better number of threads each, a mark a number of substeps.
+fn chart(samples: &[Sample], known: (&str, u32, &'static str, &str)) -> Chart {
+    let (scene, count, name, title) = known;
+    let of = |who: usize| {
+        let of_who: Vec<_> = samples
+            .iter()
+            .filter(|s| s.scene == scene && s.count == count && s.who == who)
+            .collect();
+        let mut parts: Vec<u32> = of_who.iter().map(|s| s.substeps).collect();
+        parts.sort_unstable();
+        parts.dedup();
+        parts
+            .into_iter()
+            .filter_map(|parts| fastest(of_who.iter().copied().filter(|s| s.substeps == parts)))
+            .filter_map(|s| s.errors[0].map(|depth| (s.ms, 1e3 * depth)))
+            .collect()
+    };
+    let curve = |(who, known): (usize, &(&str, &str, &str, Style))| Series {
+        name: known.2.to_owned(),
+        style: known.3,
+        points: of(who),
+        bars: Vec::new(),
+    };
+    Chart {
+        name,
+        title: format!(
+            "{title}: depth of 99 of 100 contacts against time, a mark a number of substeps"
+        ),
+        x: Axis::log("time of a step (ms)"),
+        y: Axis::log("depth that 99 of 100 don't exceed (mm)"),
+        series: WHO.iter().enumerate().map(curve).collect(),
+    }
+}
+
+fn csv(samples: &[Sample]) -> String {
+    let mut text =
+        "scene,count,who,threads,substeps,step (ms),depth (m),gap (m),beyond limits (rad),gone\n"
+            .to_owned();
+    for s in samples {
+        let [depth, gap, excess] = s
+            .errors
+            .map(|error| error.map(|error| error.to_string()).unwrap_or_default());
+        let _ = writeln!(
+            text,
+            "{},{},{},{},{},{},{depth},{gap},{excess},{}",
+            s.scene, s.count, WHO[s.who].2, s.threads, s.substeps, s.ms, s.gone
+        );
+    }
+    text
+}
+
+fn page(samples: &[Sample], origin: &str) -> String {
+    let mut table = Table::new(&[
+        "scene",
+        "Rapier (ms)",
+        "ours (ms)",
+        "by",
+        "times as fast",
+        "depths (mm)",
+        "gaps (mm)",
+        "beyond limits (rad)",
+    ]);
+    for (scene, count) in scenes(samples) {
+        let Some((rapier, ours)) = verdict(samples, (scene, count)) else {
+            continue;
+        };
+        let both = |k: usize, told: fn(f64) -> String| match (rapier.errors[k], ours.errors[k]) {
+            (Some(theirs), Some(own)) => format!("{}, {}", told(theirs), told(own)),
+            _ => String::new(),
+        };
+        table.push(vec![
+            format!("{scene} {}", draw::grouped(&count.to_string())),
+            three_digits(rapier.ms),
+            three_digits(ours.ms),
+            ours.told(),
+            format!("{:.2}", rapier.ms / ours.ms),
+            both(0, millimetres),
+            both(1, millimetres),
+            both(2, three_digits),
+        ]);
+    }
+    format!(
+        "{}\nOf two numbers, Rapier's comes first: what 99 of 100 contacts or joints don't exceed. The better of \
+         one and two threads each; {origin}.\n",
+        table.markdown(1)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn samples() -> Vec<Sample> {
+        let kept = SOURCE.read().expect("it is in the book");
+        let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
+        samples.expect("it can be read")
+    }
+
+    #[test]
+    fn on_every_scene_of_the_book_ours_is_at_least_half_as_fast_again() {
+        let samples = samples();
+        let scenes = scenes(&samples);
+        assert_eq!(scenes.len(), 6, "{scenes:?}");
+        for scene in scenes {
+            let (rapier, ours) = verdict(&samples, scene).expect("somebody errs as little");
+            assert!(rapier.ms >= 1.5 * ours.ms, "{scene:?}: {rapier:?} {ours:?}");
+        }
+    }
+
+    #[test]
+    fn what_errs_more_in_anything_is_not_chosen() {
+        let mut samples = samples();
+        let scene = ("ragdolls", 80);
+        let best = verdict(&samples, scene).expect("there is one").1.clone();
+        for s in &mut samples {
+            if *s == best {
+                s.errors[2] = Some(10.0);
+            }
+        }
+        assert_ne!(
+            verdict(&samples, scene).expect("another").1.told(),
+            best.told()
+        );
+        samples.retain(Sample::is_rapier);
+        assert_eq!(verdict(&samples, scene), None);
+    }
+
+    #[test]
+    fn an_unknown_method_is_refused_by_line() {
+        let text = "scene,count,engine,method,threads,substeps,ms_median,depth_p99_m,gap_p99_m,excess_p99_rad,outside,not_finite\n\
+                    balls,60,lanes,magic,1,1,0.1,1e-3,,,0,0\n";
+        let kept = SOURCE.parse("here.csv".into(), text).expect("a table");
+        let error = kept.lines().map(Sample::of).next().expect("a line");
+        let message = error.expect_err("magic").to_string();
+        assert!(
+            message.contains("line 2") && message.contains("magic"),
+            "{message}"
+        );
+    }
+}
