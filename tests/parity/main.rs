@@ -1,9 +1,10 @@
 //! The same scene on different engines: equal bits where they promise equal bits, and a state
 //! that one hands over to another in mid-run goes on as if nothing had happened.
 
-use ch00_scenes::{Engine, EngineEntry, Scene, Settings, State};
+use ch00_scenes::{Body, Engine, EngineEntry, Force, Scene, Settings, Shape, State};
 use ch05_properties::PropertiesEngine;
 use ch05_properties::plan::Plan;
+use glam::DVec3;
 
 fn load(entry: EngineEntry, scene: &Scene, method: &str) -> Box<dyn Engine> {
     (entry.load)(scene, &Settings::defaults().with_method(method)).expect("the scene is supported")
@@ -92,6 +93,63 @@ fn with_no_more_than_the_scene_needs_chapter_5_is_chapter_4() {
             let mut planned = load(ch05_properties::ENGINE, scene, method);
             same_steps(scene, method, 600, [objects.as_mut(), planned.as_mut()]);
         }
+    }
+}
+
+/// A box that tumbles and is pushed, without gravity.
+fn pushed_box() -> Scene {
+    let mut scene = Scene::new("pushed");
+    scene.gravity = DVec3::ZERO;
+    let half_extents = DVec3::new(0.3, 0.2, 0.1);
+    scene.bodies.push(Body {
+        angular_velocity: DVec3::new(1.0, 2.0, 3.0),
+        ..Body::new(Shape::Box { half_extents }, 2.0, DVec3::ZERO)
+    });
+    let force = DVec3::new(3.0, -1.0, 0.5);
+    scene.forces.push(Force::Constant { body: 0, force });
+    scene
+}
+
+#[test]
+fn a_force_that_stays_gives_the_same_bits_in_objects_and_in_columns() {
+    let scene = pushed_box();
+    for method in ["corrected", "printed"] {
+        let mut objects = load(ch04_ragdolls::ENGINE, &scene, method);
+        let mut columns = load(ch05_properties::ENGINE, &scene, method);
+        same_steps(&scene, method, 120, [objects.as_mut(), columns.as_mut()]);
+    }
+}
+
+#[test]
+fn a_force_that_stays_accelerates_by_the_mass_on_every_engine() {
+    let scene = pushed_box();
+    let Force::Constant { force, .. } = scene.forces[0] else {
+        panic!("made above");
+    };
+    for (entry, method) in [
+        (ch02_rigid_bodies::ENGINE, "corrected"),
+        (ch03_collision::ENGINE, "corrected"),
+        (ch04_ragdolls::ENGINE, "corrected"),
+        (ch05_properties::ENGINE, "corrected"),
+        (ch06_compute::LANES, "own-row"),
+        (ch06_compute::LANES, "coloured"),
+    ] {
+        let mut engine = load(entry, &scene, method);
+        let state = state_after(engine.as_mut(), &scene, 60);
+        // a = F/m for a second: v = a, x = ½ a. Lanes know of gravity alone that it makes ½ g h² of way in a
+        // substep h; with other pulls they go by the speed at its end, and are half a substep ahead. Then
+        // rounding, of 60 steps or 600 substeps.
+        let (a, substeps) = (force / 2.0, f64::from(engine.info().substeps));
+        let is_lanes = entry.name == ch06_compute::LANES.name;
+        let ahead = if is_lanes {
+            0.5 * a * scene.dt / substeps
+        } else {
+            DVec3::ZERO
+        };
+        let off = state.linear_velocity[0].distance(a);
+        assert!(off < 1e-4, "{} {method}: {off} m/s", entry.name);
+        let off = state.position[0].distance(0.5 * a + ahead);
+        assert!(off < 1e-4, "{} {method}: {off} m", entry.name);
     }
 }
 

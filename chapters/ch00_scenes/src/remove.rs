@@ -63,7 +63,9 @@ impl Scene {
         }
         let acts = |force: &Force| match force {
             Force::Magnets { poles, .. } => poles.iter().any(|pole| pole.body == body),
-            Force::FixedPoint { body: held, .. } => *held == body,
+            Force::FixedPoint { body: held, .. } | Force::Constant { body: held, .. } => {
+                *held == body
+            }
         };
         if let Some(force) = self.forces.iter().position(acts) {
             return Err(RemoveError::HeldByForce { body, force });
@@ -96,7 +98,9 @@ impl Scene {
                         moved_up(&mut pole.body);
                     }
                 }
-                Force::FixedPoint { body: held, .. } => moved_up(held),
+                Force::FixedPoint { body: held, .. } | Force::Constant { body: held, .. } => {
+                    moved_up(held);
+                }
             }
         }
         for orbit in &mut self.orbits {

@@ -190,7 +190,7 @@ impl Joint {
     }
 }
 
-/// A force or torque that depends on where bodies are.
+/// What acts on bodies beside gravity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Force {
@@ -208,6 +208,13 @@ pub enum Force {
         body: usize,
         /// From the fixed point to the body's origin, in the body's coordinates, m.
         arm: DVec3,
+    },
+    /// A force that stays the same, on a body's centre of mass.
+    Constant {
+        /// Index of the body.
+        body: usize,
+        /// World axes, N.
+        force: DVec3,
     },
 }
 

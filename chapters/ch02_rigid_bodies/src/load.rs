@@ -98,6 +98,11 @@ impl Loaded {
                     .collect();
                 add_magnets(&poles, *softening as f32);
             }
+            Force::Constant { body, force } => {
+                let force = force.as_vec3();
+                let mut object = self.bodies[*body].borrow_mut();
+                object.add_force(Box::new(move |_| force));
+            }
             Force::FixedPoint { body, arm } => {
                 let mut object = self.bodies[*body].borrow_mut();
                 let arm = arm.as_vec3();

@@ -11,7 +11,7 @@ mod motions;
 
 pub use bodies::{BALL, Bodies, Body, shape_columns, shape_of};
 pub use contacts::{Contact, Contacts, Touch, Touches};
-pub use forces::{FixedPoint, FixedPoints, Pole, Poles, Spring, Springs};
+pub use forces::{FixedPoint, FixedPoints, Pole, Poles, Push, Pushes, Spring, Springs};
 pub use joints::{
     Joint, Joints, Limit, Limits, NONE, Pin, Pins, Rod, Rods, Tree, Trees, Turn, Turns, bound_code,
     bound_of, limit_columns, limits_of,
@@ -50,6 +50,8 @@ pub struct Data {
     pub poles: Poles,
     /// Bodies that hang on a point.
     pub fixed_points: FixedPoints,
+    /// Forces that stay the same.
+    pub pushes: Pushes,
     /// The mouse.
     pub springs: Springs,
 }
@@ -58,7 +60,7 @@ pub struct Data {
 impl Data {
     /// All tables, in order.
     #[must_use]
-    pub fn tables(&self) -> [&dyn AnyTable; 13] {
+    pub fn tables(&self) -> [&dyn AnyTable; 14] {
         [
             &self.bodies,
             &self.motions,
@@ -72,12 +74,13 @@ impl Data {
             &self.trees,
             &self.poles,
             &self.fixed_points,
+            &self.pushes,
             &self.springs,
         ]
     }
 
     /// The same, to be changed.
-    pub fn tables_mut(&mut self) -> [&mut dyn AnyTable; 13] {
+    pub fn tables_mut(&mut self) -> [&mut dyn AnyTable; 14] {
         [
             &mut self.bodies,
             &mut self.motions,
@@ -91,6 +94,7 @@ impl Data {
             &mut self.trees,
             &mut self.poles,
             &mut self.fixed_points,
+            &mut self.pushes,
             &mut self.springs,
         ]
     }

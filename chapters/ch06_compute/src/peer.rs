@@ -50,9 +50,11 @@ impl Rapier {
     /// # Errors
     /// What the scene has that rapier hasn't; no threads.
     pub fn load(scene: &Scene, setup: Setup) -> Result<Self, Problem> {
-        let known = |force: &Force| matches!(force, Force::FixedPoint { .. });
+        let known = |force: &Force| !matches!(force, Force::Magnets { .. });
         if !(scene.forces.iter().all(known) && scene.orbits.is_empty()) {
-            return Err("rapier is told of bodies, joints and fixed points only".into());
+            return Err(
+                "rapier is told of bodies, joints, fixed points and constant forces only".into(),
+            );
         }
         let mut world = PhysicsWorld::new();
         world.gravity = vector(scene.gravity);
@@ -73,8 +75,14 @@ impl Rapier {
             world.insert_impulse_joint(handles[a], handles[b], joint);
         }
         for force in &scene.forces {
-            if let &Force::FixedPoint { body, arm } = force {
-                hold(&mut world, handles[body], &scene.bodies[body], arm);
+            match *force {
+                Force::FixedPoint { body, arm } => {
+                    hold(&mut world, handles[body], &scene.bodies[body], arm);
+                }
+                Force::Constant { body, force } => {
+                    world.bodies[handles[body]].add_force(vector(force), true);
+                }
+                Force::Magnets { .. } => {}
             }
         }
         let pool = ThreadPoolBuilder::new().num_threads(setup.threads as usize);

@@ -9,7 +9,7 @@ use crate::{Body, Force, Pole, Scene, State};
 pub struct Conserved {
     /// Translation and rotation, J.
     pub kinetic_energy: f64,
-    /// Of weight, above y = 0, and of magnets, against poles infinitely far apart, J.
+    /// Of weight, above y = 0, of magnets, against poles infinitely far apart, and −F · x of constant forces, J.
     pub potential_energy: f64,
     /// Σ m v, N s.
     pub momentum: DVec3,
@@ -32,7 +32,7 @@ impl Conserved {
                 sum.add(scene, body, state, i);
             }
         }
-        sum.potential_energy += magnet_energy(scene, state);
+        sum.potential_energy += magnet_energy(scene, state) - work(scene, state);
         sum
     }
 
@@ -79,11 +79,20 @@ fn spin_momentum(body: &Body, state: &State, i: usize) -> DVec3 {
 pub fn magnet_energy(scene: &Scene, state: &State) -> f64 {
     let magnets = scene.forces.iter().filter_map(|force| match force {
         Force::Magnets { poles, softening } => Some((poles, *softening)),
-        Force::FixedPoint { .. } => None,
+        Force::FixedPoint { .. } | Force::Constant { .. } => None,
     });
     magnets
         .map(|(poles, softening)| pole_energy(poles, softening, state))
         .sum()
+}
+
+/// What constant forces have done on the way from the origin, J.
+fn work(scene: &Scene, state: &State) -> f64 {
+    let done = |force: &Force| match *force {
+        Force::Constant { body, force } => force.dot(state.position[body]),
+        Force::Magnets { .. } | Force::FixedPoint { .. } => 0.0,
+    };
+    scene.forces.iter().map(done).sum()
 }
 
 fn pole_energy(poles: &[Pole], softening: f64, state: &State) -> f64 {
@@ -114,11 +123,11 @@ impl Reference {
     /// Energy is compared in every scene that has no prescribed motions (losses at
     /// impacts and by drag show as such). Momentum is compared where all that acts is
     /// between the bodies: no static bodies, no gravity, no drag, no fixed points, no
-    /// prescribed motions. Magnets are allowed: their forces come in opposite pairs.
+    /// constant forces, no prescribed motions. Magnets are allowed: their forces come in opposite pairs.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let has_energy = scene.orbits.is_empty();
-        let held = |force: &Force| matches!(force, Force::FixedPoint { .. });
+        let from_outside = |force: &Force| !matches!(force, Force::Magnets { .. });
         Self {
             start: Conserved::of(scene, &State::start_of(scene)),
             has_energy,
@@ -126,7 +135,7 @@ impl Reference {
                 && scene.gravity == DVec3::ZERO
                 && scene.drag == 0.0
                 && scene.dynamic_count() == scene.bodies.len()
-                && !scene.forces.iter().any(held),
+                && !scene.forces.iter().any(from_outside),
         }
     }
 
@@ -272,6 +281,18 @@ mod tests {
             // The difference quotient is off by step²/6 · U‴, below 1e-6 of the force.
             close(-slope / force, 1.0, 1e-6);
         }
+    }
+
+    #[test]
+    fn what_a_constant_force_does_to_a_body_is_taken_from_its_potential() {
+        let (mut scene, mut state) = two_poles([0.0, 0.0], 0.1);
+        let force = DVec3::new(3.0, 0.0, 4.0);
+        scene.gravity = DVec3::ZERO;
+        scene.forces = vec![Force::Constant { body: 1, force }];
+        let before = Conserved::of(&scene, &state).potential_energy;
+        state.position[1] += DVec3::new(0.5, 7.0, 0.25);
+        let after = Conserved::of(&scene, &state).potential_energy;
+        close(after - before, -2.5, 1e-12);
     }
 
     #[test]

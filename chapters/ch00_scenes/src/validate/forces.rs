@@ -3,6 +3,8 @@
 use super::Place;
 use crate::{Force, Pole, Scene, SceneError};
 
+const PUSHED_AND_HELD: &str = "only gravity acts on a body that turns about a fixed point";
+
 pub(super) fn check(scene: &Scene, index: usize, at: &Place) -> Result<(), SceneError> {
     match &scene.forces[index] {
         Force::Magnets { poles, softening } => {
@@ -26,6 +28,22 @@ pub(super) fn check(scene: &Scene, index: usize, at: &Place) -> Result<(), Scene
                 "fixed_point.body",
                 || body.to_string(),
                 "a body turns about one fixed point at most",
+            )?;
+            at.demand(
+                !is_pushed(&scene.forces[..index], *body),
+                "fixed_point.body",
+                || body.to_string(),
+                PUSHED_AND_HELD,
+            )
+        }
+        Force::Constant { body, force } => {
+            at.body("constant.body", *body)?;
+            at.finite_vector("constant.force", *force)?;
+            at.demand(
+                !has_fixed_point(&scene.forces[..index], *body),
+                "constant.body",
+                || body.to_string(),
+                PUSHED_AND_HELD,
             )
         }
     }
@@ -42,6 +60,12 @@ fn has_fixed_point(forces: &[Force], of: usize) -> bool {
     forces
         .iter()
         .any(|force| matches!(force, Force::FixedPoint { body, .. } if *body == of))
+}
+
+fn is_pushed(forces: &[Force], body: usize) -> bool {
+    forces
+        .iter()
+        .any(|force| matches!(force, Force::Constant { body: pushed, .. } if *pushed == body))
 }
 
 #[cfg(test)]
@@ -95,6 +119,30 @@ mod tests {
                 scene.forces.push(fixed_point(1));
             },
             "file.json: forces[0].fixed_point.body = 1: a static body",
+        );
+    }
+
+    #[test]
+    fn a_constant_force_on_no_body_and_one_that_is_no_number_are_refused() {
+        let push = |body, x| Force::Constant {
+            body,
+            force: DVec3::X * x,
+        };
+        assert_refused(
+            |scene| scene.forces.push(push(7, 1.0)),
+            "file.json: forces[0].constant.body = 7 (of 2 bodies): ",
+        );
+        assert_refused(
+            |scene| scene.forces.push(push(1, f64::NAN)),
+            "file.json: forces[0].constant.force",
+        );
+        assert_refused(
+            |scene| scene.forces.extend([push(1, 1.0), fixed_point(1)]),
+            "file.json: forces[1].fixed_point.body = 1: only gravity acts",
+        );
+        assert_refused(
+            |scene| scene.forces.extend([fixed_point(1), push(1, 1.0)]),
+            "file.json: forces[1].constant.body = 1: only gravity acts",
         );
     }
 

@@ -90,7 +90,7 @@ impl Rods {
 fn rods_of(scene: &Scene) -> Vec<Rod> {
     let arms = scene.forces.iter().filter_map(|force| match *force {
         Force::FixedPoint { body, arm } => Some(rod([body, body], [-arm, DVec3::ZERO], 3.0)),
-        Force::Magnets { .. } => None,
+        Force::Magnets { .. } | Force::Constant { .. } => None,
     });
     let strings = scene.joints.iter().filter_map(|joint| match *joint {
         Joint::Distance { a, b, .. } => Some(rod([a, b], joint.anchors().into(), 2.0)),

@@ -39,6 +39,20 @@ crate::table! {
 }
 
 crate::table! {
+    /// Forces that stay the same.
+    pub struct Pushes of
+    /// A constant force on a body's centre of mass.
+    Push in "pushes" {
+        /// Row of the body.
+        body: u32, "body", "";
+        /// Index of the force in the scene.
+        force: u32, "force", "";
+        /// In world axes.
+        push: Vec3, "F", "N";
+    }
+}
+
+crate::table! {
     /// The mouse: one row while it drags a body.
     pub struct Springs of
     /// A spring.

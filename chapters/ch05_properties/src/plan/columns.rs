@@ -25,7 +25,7 @@ pub fn needs_of(table: &str, column: &str) -> &'static [Part] {
         ("rods", _) => &[Rods, Corrected],
         ("limits", _) => &[Limits],
         ("turns", _) => &[Limits, Corrected],
-        ("poles", _) => &[Forces],
+        ("poles" | "pushes", _) => &[Forces],
         ("fixed_points", _) => &[FixedPoints],
         ("springs", _) => &[Mouse],
         _ => &[],

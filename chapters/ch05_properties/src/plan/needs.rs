@@ -106,6 +106,6 @@ fn limits_angles(joint: &Joint) -> bool {
 fn held(force: &Force) -> Option<usize> {
     match force {
         Force::FixedPoint { body, .. } => Some(*body),
-        Force::Magnets { .. } => None,
+        Force::Magnets { .. } | Force::Constant { .. } => None,
     }
 }

@@ -41,6 +41,7 @@ const ARMS: &str = "joints.{arm_parent, arm_child}";
 const LIMITS: &str = "limits.*";
 const TURNS: &str = "turns.*";
 const POLES: &str = "poles.*";
+const PUSHES: &str = "pushes.*";
 const HELD: &str = "fixed_points.*";
 const SPRINGS: &str = "springs.*";
 
@@ -83,9 +84,9 @@ pub const SYSTEMS: &[System] = &[
             "turns.left", "bodies.inverse_mass", "bodies.inverse_inertia"],
         writes ["bodies.position", "bodies.orientation", "motions.{inverse_inertia, changed}", ARMS,
             "joints.seen", "pins.yielding", "rods.along", "rods.response"]),
-    system!("gather forces", "magnets, fixed points and the mouse, and gravity", IN_A_STEP, [Forces],
+    system!("gather forces", "magnets, fixed points, constant forces and the mouse, and gravity", IN_A_STEP, [Forces],
         World::gather,
-        reads ["bodies.position", "bodies.orientation", "bodies.inverse_mass", POLES, HELD, SPRINGS],
+        reads ["bodies.position", "bodies.orientation", "bodies.inverse_mass", POLES, HELD, PUSHES, SPRINGS],
         writes ["bodies.acceleration", "bodies.torque"]),
     system!("broad phase", "boxes in a KD-tree, and the pairs that overlap", ALSO_AT_START, [Collisions],
         World::broad_phase,

@@ -5,7 +5,7 @@ use ch00_maths::f32::force;
 use ch00_maths::f32::impulse::Velocity;
 use glam::{Quat, Vec3};
 
-use crate::data::{FixedPoints, Poles, Springs};
+use crate::data::{FixedPoints, Poles, Pushes, Springs};
 
 /// ΣF/m and gravity, and ΣT, of every body where it is now: two columns that this fills.
 pub struct Sums<'a> {
@@ -15,11 +15,21 @@ pub struct Sums<'a> {
     pub torque: &'a mut [Vec3],
 }
 
+/// What acts beside gravity and the mouse: the tables of the scene's forces.
+#[derive(Clone, Copy)]
+pub struct Acting<'a> {
+    /// Ends of magnets.
+    pub poles: &'a Poles,
+    /// Bodies that hang on a point.
+    pub fixed_points: &'a FixedPoints,
+    /// Forces that stay the same.
+    pub pushes: &'a Pushes,
+}
+
 // ANCHOR: gather
-/// Sums what poles and fixed points do to bodies.
+/// Sums what poles, fixed points and constant forces do to bodies.
 pub fn gather(
-    poles: &Poles,
-    fixed_points: &FixedPoints,
+    acting: Acting<'_>,
     position: &[Vec3],
     orientation: &[Quat],
     inverse_mass: &[f32],
@@ -28,10 +38,17 @@ pub fn gather(
 ) {
     sums.acceleration.fill(Vec3::ZERO);
     sums.torque.fill(Vec3::ZERO);
-    let last = poles.force.last().max(fixed_points.force.last());
+    let Acting {
+        poles,
+        fixed_points,
+        pushes,
+    } = acting;
+    let last = [&poles.force, &fixed_points.force, &pushes.force].map(|of| of.last());
+    let last = last.into_iter().flatten().max();
     for force in 0..=last.copied().unwrap_or(0) {
         magnets(poles, force, position, orientation, sums);
         weights(fixed_points, force, orientation, sums);
+        push(pushes, force, sums);
     }
     for (row, acceleration) in sums.acceleration.iter_mut().enumerate() {
         if inverse_mass[row] == 0.0 {
@@ -94,6 +111,15 @@ fn weights(
     for k in first..end {
         let i = body[k] as usize;
         sums.torque[i] += (orientation[i] * arm[k]).cross(weight[k]);
+    }
+}
+
+/// A constant force, at the centre of mass.
+fn push(pushes: &Pushes, force: u32, sums: &mut Sums<'_>) {
+    let first = pushes.force.partition_point(|&of| of < force);
+    let end = pushes.force.partition_point(|&of| of <= force);
+    for k in first..end {
+        sums.acceleration[pushes.body[k] as usize] += pushes.push[k];
     }
 }
 

@@ -124,7 +124,8 @@ impl World {
         let at = |column: &[u32]| column.iter().position(|&named| named as usize == row);
         let pole = at(&data.poles.body).map(|k| data.poles.force[k]);
         let held = || at(&data.fixed_points.body).map(|k| data.fixed_points.force[k]);
-        if let Some(force) = pole.or_else(held) {
+        let pushed = || at(&data.pushes.body).map(|k| data.pushes.force[k]);
+        if let Some(force) = pole.or_else(held).or_else(pushed) {
             let force = force as usize;
             return Err(RemoveError::HeldByForce { body: row, force });
         }
@@ -151,6 +152,7 @@ impl World {
             &mut data.joints.child,
             &mut data.poles.body,
             &mut data.fixed_points.body,
+            &mut data.pushes.body,
             &mut data.springs.body,
             &mut self.involved,
         ];

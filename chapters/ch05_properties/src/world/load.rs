@@ -10,7 +10,7 @@ use glam::Vec3;
 use super::{Counts, Method, Steps, Surroundings, World};
 use crate::columns::{AnyTable, Table};
 use crate::data::{
-    Body, Data, FixedPoint, Joint, Motion, NONE, Pin, Pole, Rod, Tree, Turn, limit_columns,
+    Body, Data, FixedPoint, Joint, Motion, NONE, Pin, Pole, Push, Rod, Tree, Turn, limit_columns,
     shape_columns,
 };
 use crate::plan::Plan;
@@ -152,6 +152,13 @@ fn push_force(data: &mut Data, scene: &Scene, force: &Force, index: u32) -> Resu
                     softening: *softening as f32,
                 });
             }
+        }
+        Force::Constant { body, force } => {
+            data.pushes.push(Push {
+                body: *body as u32,
+                force: index,
+                push: force.as_vec3(),
+            });
         }
         Force::FixedPoint { body: row, arm } => {
             let arm = arm.as_vec3();

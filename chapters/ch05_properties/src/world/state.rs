@@ -86,8 +86,11 @@ impl World {
             torque: &mut bodies.torque,
         };
         forces::gather(
-            &data.poles,
-            &data.fixed_points,
+            forces::Acting {
+                poles: &data.poles,
+                fixed_points: &data.fixed_points,
+                pushes: &data.pushes,
+            },
             &bodies.position,
             &bodies.orientation,
             &bodies.inverse_mass,

@@ -13,7 +13,7 @@ use super::driver::Driver;
 use super::error::ComputeError;
 use super::late::Late;
 use super::layers;
-use crate::lanes::forces::check_fixed_points;
+use crate::lanes::forces::{check_fixed_points, check_no_push};
 use crate::lanes::unsupported;
 use crate::rows::Mouse;
 use crate::rules::{METHOD, Rules};
@@ -77,6 +77,7 @@ impl ComputeEngine {
         let rules = Rules::of(scene, settings)?;
         Rules::check_resolution(scene).map_err(|why| unsupported(ENGINE.name, scene, why))?;
         check_fixed_points(scene).map_err(|why| unsupported(ENGINE.name, scene, why))?;
+        check_no_push(scene).map_err(|why| unsupported(ENGINE.name, scene, why))?;
         let device = open().map_err(|error| lacks(scene, &error.into()))?;
         Self::load_on(device, scene, rules).map_err(|error| lacks(scene, &error))
     }

@@ -1,4 +1,4 @@
-//! What pulls bodies beyond gravity: magnetic poles, the mouse's spring, and points about which tops
+//! What pulls bodies beyond gravity: magnetic poles, constant forces, the mouse's spring, and points about which tops
 //! turn.
 
 use ch00_maths::f32::impulse::Velocity;
@@ -15,6 +15,8 @@ use crate::rows::Step;
 #[derive(Clone, Debug, Default)]
 pub struct Forces {
     poles: Vec<Pole>,
+    /// Constant forces: rows of bodies, and N.
+    pub pushes: Vec<(usize, Vec3)>,
     /// Bodies that turn about a point fixed in the world.
     pub pivots: Vec<Pivot>,
     /// The mouse, if it pulls.
@@ -82,6 +84,23 @@ pub fn check_fixed_points(scene: &Scene) -> Result<(), (String, usize)> {
     Ok(())
 }
 
+/// Whether nothing pushes bodies all the time: the kernels know poles, fixed points and the mouse.
+///
+/// # Errors
+/// The first such force, and its body.
+pub fn check_no_push(scene: &Scene) -> Result<(), (String, usize)> {
+    let pushed = |(index, force): (usize, &Force)| match force {
+        Force::Constant { body, .. } => Some((format!("forces[{index}], a constant force"), *body)),
+        Force::Magnets { .. } | Force::FixedPoint { .. } => None,
+    };
+    scene
+        .forces
+        .iter()
+        .enumerate()
+        .find_map(pushed)
+        .map_or(Ok(()), Err)
+}
+
 impl Forces {
     /// The forces of a scene; bodies on a fixed point get their inertia about it.
     ///
@@ -100,6 +119,7 @@ impl Forces {
                         softening: *softening as f32,
                     }));
                 }
+                Force::Constant { body, force } => forces.pushes.push((*body, force.as_vec3())),
                 Force::FixedPoint { body, arm } => {
                     let mass = scene.bodies[*body].mass as f32;
                     let arm = arm.as_vec3();
@@ -135,6 +155,9 @@ impl Forces {
         for pivot in &mut self.pivots {
             pivot.body = moved(pivot.body);
         }
+        for (body, _) in &mut self.pushes {
+            *body = moved(*body);
+        }
         self.mouse = self.mouse.filter(|spring| spring.body != row);
         if let Some(spring) = &mut self.mouse {
             spring.body = moved(spring.body);
@@ -144,7 +167,7 @@ impl Forces {
     /// Whether anything pulls that isn't gravity.
     #[must_use]
     pub fn any_pull(&self) -> bool {
-        !self.poles.is_empty() || self.mouse.is_some()
+        !(self.poles.is_empty() && self.pushes.is_empty()) || self.mouse.is_some()
     }
 
     /// Rows of the bodies that anything but gravity pulls, some more than once.
@@ -152,7 +175,8 @@ impl Forces {
         let poles = self.poles.iter().map(|pole| pole.body);
         let pivots = self.pivots.iter().map(|pivot| pivot.body);
         let mouse = self.mouse.iter().map(|spring| spring.body);
-        poles.chain(pivots).chain(mouse)
+        let pushes = self.pushes.iter().map(|push| push.0);
+        poles.chain(pivots).chain(pushes).chain(mouse)
     }
 
     /// Sums what pulls each body where it is now.
@@ -164,6 +188,9 @@ impl Forces {
         self.pulls.resize(bodies.rows(), Pull::default());
         for own in 0..self.poles.len() {
             self.feel(own, bodies);
+        }
+        for &(row, force) in &self.pushes {
+            self.pulls[row].acceleration += force * bodies.spin[row].inverse_mass;
         }
         if let Some(spring) = self.mouse {
             self.drag(&spring, bodies);

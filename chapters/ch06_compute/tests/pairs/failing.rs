@@ -142,6 +142,22 @@ fn a_joint_between_static_bodies_holds_nothing_and_breaks_nothing() {
 }
 
 #[test]
+fn a_force_that_stays_is_refused_by_the_kernels_with_its_index() {
+    let mut scene = Scene::new("a ball that is pushed");
+    scene.bodies.push(ball(0.1, 1.0, DVec3::Y));
+    let force = DVec3::X;
+    scene.forces.push(Force::Constant { body: 0, force });
+    let Err(error) = (ch06_compute::COMPUTE.load)(&scene, &Settings::defaults()) else {
+        panic!("the kernels take it");
+    };
+    let text = error.to_string();
+    assert!(
+        text.contains("forces[0]") && text.contains("(index 0)"),
+        "{text}"
+    );
+}
+
+#[test]
 fn a_joint_of_a_body_on_a_fixed_point_is_refused_by_both_engines_with_its_index() {
     let mut scene = Scene::new("a ball that hangs on a top");
     scene.bodies.push(ball(0.1, 1.0, DVec3::Y));

@@ -20,6 +20,7 @@ mod mass_ratio;
 mod oblique;
 mod pendulum;
 mod pile;
+mod pushed_box;
 mod ragdoll_pile;
 mod rolling;
 mod slip_to_roll;
@@ -48,6 +49,7 @@ pub const SCENARIOS: &[Scenario] = &[
     bounces::INELASTIC,
     slip_to_roll::SCENARIO,
     rolling::SCENARIO,
+    pushed_box::SCENARIO,
     friction_directions::SCENARIO,
     oblique::SCENARIO,
     cradle::SCENARIO,

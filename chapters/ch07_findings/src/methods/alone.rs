@@ -17,7 +17,7 @@ pub struct Alone {
     pub angular_velocity: Vec3,
     /// About the centre, or the fixed point; body axes, kg m².
     pub inertia: Vec3,
-    /// m/s².
+    /// And constant forces, m/s².
     pub gravity: Vec3,
     /// m g r: weight times the way from the fixed point to the centre, in the body, N m; 0 where there is none.
     pub heavy_arm: Vec3,
@@ -62,13 +62,15 @@ fn alone(world: &World, row: usize) -> Alone {
     let arm = world.pivots.iter().find(|pivot| pivot.body == row);
     let arm = arm.map_or(Vec3::ZERO, |pivot| pivot.arm);
     let moments = bodies.inertia[row];
+    let pushes = world.pushes.iter().filter(|push| push.0 == row);
+    let pushed = pushes.fold(Vec3::ZERO, |sum, push| sum + push.1);
     Alone {
         position: bodies.position[row],
         velocity: bodies.velocity[row],
         attitude: bodies.attitude[row],
         angular_velocity: bodies.angular_velocity[row],
         inertia: inertia::about_point(moments, mass, arm).unwrap_or(moments),
-        gravity: world.gravity,
+        gravity: world.gravity + pushed,
         heavy_arm: arm * mass,
     }
 }

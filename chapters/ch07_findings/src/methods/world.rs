@@ -35,6 +35,8 @@ pub type Step = fn(&mut World, Real, Knobs);
 pub struct World {
     /// m/s².
     pub gravity: Vec3,
+    /// Constant forces: rows of bodies, and what the force gives them, m/s².
+    pub pushes: Vec<(usize, Vec3)>,
     /// Rate at which velocities decay, 1/s.
     pub drag: Real,
     /// Impacts slower than this don't bounce, m/s.
@@ -63,11 +65,18 @@ impl World {
                 point: bodies.position[body] - bodies.attitude[body] * vector(arm),
                 arm: vector(arm),
             }),
-            Force::Magnets { .. } => None,
+            Force::Magnets { .. } | Force::Constant { .. } => None,
         };
         let pivots: Vec<_> = scene.forces.iter().filter_map(pivot).collect();
+        let push = |force: &Force| match *force {
+            Force::Constant { body, force } => {
+                Some((body, vector(force) * bodies.inverse_mass[body]))
+            }
+            Force::Magnets { .. } | Force::FixedPoint { .. } => None,
+        };
         Self {
             gravity: vector(scene.gravity),
+            pushes: scene.forces.iter().filter_map(push).collect(),
             drag: real(scene.drag),
             restitution_threshold: real(scene.restitution_threshold.unwrap_or(SLOW)),
             joints: joints_of(scene, &bodies, &pivots),
@@ -78,10 +87,13 @@ impl World {
     }
 
     // ANCHOR: accelerate
-    /// Gravity and drag for h seconds, and what a turning body does to its own spin.
+    /// Gravity, constant forces and drag for h seconds, and what a turning body does to its own spin.
     pub fn accelerate(&mut self, h: Real, gyro: fn(Quat, Vec3, Vec3, Real) -> Vec3) {
         let kept = 1.0 / (1.0 + self.drag * h);
         let bodies = &mut self.bodies;
+        for &(row, acceleration) in &self.pushes {
+            bodies.velocity[row] += acceleration * h;
+        }
         for row in 0..bodies.count() {
             if bodies.moves(row) {
                 let (q, inertia) = (bodies.attitude[row], bodies.inertia[row]);
