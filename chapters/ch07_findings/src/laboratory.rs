@@ -7,6 +7,7 @@ pub mod contenders;
 mod costs;
 pub mod drift;
 pub mod floor;
+pub mod gas;
 pub mod runs;
 pub mod scenario;
 pub mod scenarios;

@@ -50,7 +50,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 26] = [
+const MEASURED: [(&str, &str, Measure); 27] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -145,6 +145,11 @@ const MEASURED: [(&str, &str, Measure); 26] = [
         "drift",
         "energy and angular momentum against time, by every method",
         laboratory::drift::product,
+    ),
+    (
+        "gas",
+        "a gas: how often its balls collide, and whether their speeds become Maxwell's",
+        laboratory::gas::product,
     ),
     (
         "single_precision",
