@@ -3,6 +3,8 @@
 
 use std::str::FromStr;
 
+use super::store::Kept;
+
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum End {
@@ -41,17 +43,47 @@ pub struct Cell {
 pub const HEADINGS: &str =
     "scenario,contender,rate (1/s),substeps,sweeps,error,CPU time (s/s),runs,end";
 
+impl End {
+    /// As a line says it.
+    #[must_use]
+    pub fn line(&self) -> String {
+        match self {
+            End::Measured => "measured".to_owned(),
+            End::Failed(how) => format!("failed: {how}"),
+            End::Cannot(why) => format!("cannot: {}", why.replace(',', ";").replace('\n', " ")),
+        }
+    }
+
+    /// What a line says.
+    #[must_use]
+    pub fn of(text: &str) -> Option<Self> {
+        match text.split_once(": ") {
+            None if text == "measured" => Some(End::Measured),
+            Some(("failed", how)) => Some(End::Failed(how.to_owned())),
+            Some(("cannot", why)) => Some(End::Cannot(why.to_owned())),
+            _ => None,
+        }
+    }
+}
+
+impl Kept for Cell {
+    const HEADINGS: &'static str = HEADINGS;
+
+    fn line(&self) -> String {
+        self.line()
+    }
+
+    fn read(line: &str) -> Option<Self> {
+        line.parse().ok()
+    }
+}
+
 impl Cell {
     /// A line without its end.
     #[must_use]
     pub fn line(&self) -> String {
-        let end = match &self.end {
-            End::Measured => "measured".to_owned(),
-            End::Failed(how) => format!("failed: {how}"),
-            End::Cannot(why) => format!("cannot: {}", why.replace(',', ";").replace('\n', " ")),
-        };
         format!(
-            "{},{},{},{},{},{:e},{:e},{},{end}",
+            "{},{},{},{},{},{:e},{:e},{},{}",
             self.scenario,
             self.contender,
             self.rate,
@@ -59,7 +91,8 @@ impl Cell {
             self.sweeps,
             self.error,
             self.cost,
-            self.runs
+            self.runs,
+            self.end.line()
         )
     }
 
@@ -107,21 +140,12 @@ impl FromStr for Cell {
             error: real(next()?)?,
             cost: real(next()?)?,
             runs: number(next()?)?,
-            end: end_of(next()?)?,
+            end: End::of(next()?).ok_or(NoCell)?,
         };
         if fields.next().is_some() {
             return Err(NoCell);
         }
         Ok(cell)
-    }
-}
-
-fn end_of(text: &str) -> Result<End, NoCell> {
-    match text.split_once(": ") {
-        None if text == "measured" => Ok(End::Measured),
-        Some(("failed", how)) => Ok(End::Failed(how.to_owned())),
-        Some(("cannot", why)) => Ok(End::Cannot(why.to_owned())),
-        _ => Err(NoCell),
     }
 }
 

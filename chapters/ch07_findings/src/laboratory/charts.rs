@@ -69,18 +69,18 @@ fn measured(
     quick: bool,
     folder: &Path,
     say: Say,
-) -> Result<Store, FindingsError> {
+) -> Result<Store<Cell>, FindingsError> {
     let name = if quick {
         "laboratory_quick.csv"
     } else {
         "laboratory.csv"
     };
-    let mut store = Store::open(&folder.join(name))?;
+    let mut store = Store::<Cell>::open(&folder.join(name))?;
     let mut missing = Vec::new();
     for scenario in scenarios {
         for contender in CONTENDERS {
             for rate in rates(scenario, quick) {
-                if !store.has((scenario.name, contender.name, rate)) {
+                if at(&store.cells, scenario.name, contender.name, rate).is_none() {
                     missing.push((scenario, contender, rate));
                 }
             }

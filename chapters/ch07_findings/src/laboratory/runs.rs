@@ -2,11 +2,11 @@
 
 use std::time::{Duration, Instant};
 
-use ch00_scenes::{LoadError, Scene, Settings, State};
+use ch00_scenes::{EngineEntry, LoadError, Scene, Settings, State};
 
 use super::cell::{Cell, End};
 use super::contenders::Contender;
-use super::scenario::{Scenario, Verdict};
+use super::scenario::{Scenario, Verdict, Watch};
 use crate::FindingsError;
 use crate::lab::{Moment, median, worst};
 
@@ -16,14 +16,17 @@ const MOST_RUNS: u32 = 5;
 const ENOUGH: f64 = 0.5;
 
 /// What one run gave, or several.
-struct Run {
-    verdict: Verdict,
+pub struct Run {
+    /// How it ended.
+    pub verdict: Verdict,
     /// Spent in steps, s.
-    spent: f64,
+    pub spent: f64,
     /// Time that passed in the scene, s.
-    passed: f64,
-    substeps: u32,
-    sweeps: u32,
+    pub passed: f64,
+    /// Parts of a step.
+    pub substeps: u32,
+    /// Sweeps of a part; 0 where there are none.
+    pub sweeps: u32,
 }
 
 impl Default for Run {
@@ -122,14 +125,27 @@ fn run(
     contender: &Contender,
     rate: u32,
 ) -> Result<Run, LoadError> {
-    let mut engine = (contender.engine.load)(scene, settings)?;
     let mut watch = (scenario.watcher)(scene);
+    let steps = scenario.steps.map(|steps| steps(rate));
+    watched(scene, steps, contender.engine, settings, &mut *watch)
+}
+
+/// Runs a scene, in steps of its own or of these lengths, s, and lets somebody look at every step.
+///
+/// # Errors
+/// [`LoadError`] where the engine can't take the scene or the settings.
+pub fn watched(
+    scene: &Scene,
+    steps: Option<Vec<f64>>,
+    engine: EngineEntry,
+    settings: &Settings,
+    watch: &mut dyn Watch,
+) -> Result<Run, LoadError> {
+    let mut engine = (engine.load)(scene, settings)?;
     let mut state = State::default();
     let (mut spent, mut time) = (Duration::ZERO, 0.0);
-    let steps = match scenario.steps {
-        Some(steps) => steps(rate),
-        None => vec![scene.dt; scene.steps as usize],
-    };
+    let even = steps.is_none();
+    let steps = steps.unwrap_or_else(|| vec![scene.dt; scene.steps as usize]);
     let mut verdict = None;
     for (step, dt) in (1..).zip(&steps) {
         let start = Instant::now();
@@ -143,10 +159,10 @@ fn run(
         }
         watch.see(&Moment {
             step,
-            time: if scenario.steps.is_some() {
-                time
-            } else {
+            time: if even {
                 f64::from(step) * scene.dt
+            } else {
+                time
             },
             state: &state,
             engine: &*engine,

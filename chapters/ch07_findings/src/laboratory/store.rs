@@ -5,18 +5,29 @@ use std::fs::{File, OpenOptions};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use super::cell::{Cell, HEADINGS};
 use crate::FindingsError;
 
+/// What a table keeps, a line each. A line that was cut off must not be readable.
+pub trait Kept: Sized {
+    /// The first line of the file.
+    const HEADINGS: &'static str;
+
+    /// A line without its end.
+    fn line(&self) -> String;
+
+    /// What a line says; None where it is none of this table.
+    fn read(line: &str) -> Option<Self>;
+}
+
 /// The cells that are known, and the file that they are in.
-pub struct Store {
+pub struct Store<C> {
     path: PathBuf,
     file: File,
     /// In the order of the file.
-    pub cells: Vec<Cell>,
+    pub cells: Vec<C>,
 }
 
-impl Store {
+impl<C: Kept> Store<C> {
     /// Opens the table of a folder, or begins one. A last line that was cut off is taken away; a line that
     /// can't be read is an error, since a table of something else must not be spoilt.
     ///
@@ -36,7 +47,7 @@ impl Store {
         let cells = Self::parse(path, &text[..whole])?;
         if whole < text.len() || text.is_empty() {
             let kept = if whole == 0 {
-                format!("{HEADINGS}\n")
+                format!("{}\n", C::HEADINGS)
             } else {
                 text[..whole].to_owned()
             };
@@ -50,7 +61,7 @@ impl Store {
         })
     }
 
-    fn parse(path: &Path, text: &str) -> Result<Vec<Cell>, FindingsError> {
+    fn parse(path: &Path, text: &str) -> Result<Vec<C>, FindingsError> {
         let wrong = |line: usize| FindingsError::Store {
             path: path.to_owned(),
             line,
@@ -58,25 +69,19 @@ impl Store {
         let mut lines = text.lines().zip(1..);
         match lines.next() {
             None => return Ok(Vec::new()),
-            Some((HEADINGS, _)) => {}
+            Some((first, _)) if first == C::HEADINGS => {}
             Some(_) => return Err(wrong(1)),
         }
         lines
-            .map(|(line, number)| line.parse().map_err(|_| wrong(number)))
+            .map(|(line, number)| C::read(line).ok_or_else(|| wrong(number)))
             .collect()
-    }
-
-    /// Whether a cell is known.
-    #[must_use]
-    pub fn has(&self, key: (&str, &str, u32)) -> bool {
-        self.cells.iter().any(|cell| cell.key() == key)
     }
 
     /// Adds a cell, on the disk first.
     ///
     /// # Errors
     /// [`FindingsError::Write`] where the disk is full.
-    pub fn add(&mut self, cell: Cell) -> Result<(), FindingsError> {
+    pub fn add(&mut self, cell: C) -> Result<(), FindingsError> {
         let line = cell.line() + "\n";
         let done = self.file.write_all(line.as_bytes());
         done.and_then(|()| self.file.flush())
@@ -91,7 +96,7 @@ impl Store {
 
 #[cfg(test)]
 mod tests {
-    use super::super::cell::End;
+    use super::super::cell::{Cell, End, HEADINGS};
     use super::*;
 
     fn cell(rate: u32) -> Cell {
@@ -112,7 +117,7 @@ mod tests {
     fn a_table_goes_on_after_a_line_that_was_cut_off() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("cells.csv");
-        let mut store = Store::open(&path).expect("a new one");
+        let mut store = Store::<Cell>::open(&path).expect("a new one");
         store.add(cell(60)).expect("written");
         store.add(cell(120)).expect("written");
         drop(store);
@@ -120,10 +125,9 @@ mod tests {
         std::fs::write(&path, &text[..text.len() - 9]).expect("cut");
         let mut store = Store::open(&path).expect("the rest");
         assert_eq!(store.cells, [cell(60)]);
-        assert!(store.has(("bounce", "xpbd", 60)) && !store.has(("bounce", "xpbd", 120)));
         store.add(cell(240)).expect("written");
         drop(store);
-        let again = Store::open(&path).expect("whole");
+        let again = Store::<Cell>::open(&path).expect("whole");
         assert_eq!(again.cells, [cell(60), cell(240)]);
     }
 
@@ -133,7 +137,10 @@ mod tests {
         let path = folder.path().join("cells.csv");
         for text in ["a,b\n1,2\n", &format!("{HEADINGS}\nbounce,xpbd\n")] {
             std::fs::write(&path, text).expect("written");
-            let error = Store::open(&path).err().expect("refused").to_string();
+            let error = Store::<Cell>::open(&path)
+                .err()
+                .expect("refused")
+                .to_string();
             assert!(
                 error.contains("cells.csv") && error.contains("line"),
                 "{error}"
@@ -144,7 +151,7 @@ mod tests {
 
     #[test]
     fn a_folder_that_is_not_there_is_told() {
-        let error = Store::open(Path::new("/nowhere/at/all.csv")).err();
+        let error = Store::<Cell>::open(Path::new("/nowhere/at/all.csv")).err();
         assert!(
             error
                 .expect("refused")
