@@ -8,6 +8,8 @@ pub enum Picture {
     Curves(Chart),
     /// Bars along one axis.
     Bars(Bars),
+    /// Maps side by side over the same axes.
+    Maps(Maps),
 }
 
 /// A chart: curves over a common pair of axes.
@@ -110,6 +112,47 @@ pub struct Bar {
     pub note: String,
 }
 
+/// Small maps side by side, a panel a method, all over the same pair of axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Maps {
+    /// File name without ending, and what `chart NAME` says.
+    pub name: &'static str,
+    /// What it shows, in one line.
+    pub title: String,
+    /// Horizontal axis of every panel.
+    pub x: Axis,
+    /// Vertical axis of every panel.
+    pub y: Axis,
+    /// What the classes mean, in their order.
+    pub classes: Vec<String>,
+    /// What the curves of theory are, the last entry of the legend.
+    pub theory: String,
+    /// The panels, a row of three after the other.
+    pub panels: Vec<Panel>,
+}
+
+/// A panel of [`Maps`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// Stands above it.
+    pub name: String,
+    /// Places and what became of them. They need not be all of a grid.
+    pub cells: Vec<(f64, f64, Class)>,
+    /// Curves over the cells. Their names are not shown.
+    pub curves: Vec<Series>,
+}
+
+/// What became of a cell, from good to bad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Class {
+    /// As it should be.
+    Held,
+    /// Not as it should be.
+    Worse,
+    /// Lost.
+    Failed,
+}
+
 impl Picture {
     /// File name without ending.
     #[must_use]
@@ -117,6 +160,7 @@ impl Picture {
         match self {
             Picture::Curves(chart) => chart.name,
             Picture::Bars(bars) => bars.name,
+            Picture::Maps(maps) => maps.name,
         }
     }
 }
@@ -130,6 +174,12 @@ impl From<Chart> for Picture {
 impl From<Bars> for Picture {
     fn from(bars: Bars) -> Self {
         Picture::Bars(bars)
+    }
+}
+
+impl From<Maps> for Picture {
+    fn from(maps: Maps) -> Self {
+        Picture::Maps(maps)
     }
 }
 

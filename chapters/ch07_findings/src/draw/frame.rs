@@ -265,7 +265,7 @@ pub fn grid(tick: &Tick) -> super::canvas::Ink {
 }
 
 /// Takes back labels that would touch the one before, on an axis of so many pixels.
-fn thinned(mut ticks: Vec<Tick>, length: f64) -> Vec<Tick> {
+pub fn thinned(mut ticks: Vec<Tick>, length: f64) -> Vec<Tick> {
     let mut end = f64::NEG_INFINITY;
     for tick in ticks.iter_mut().filter(|tick| !tick.label.is_empty()) {
         let half = 0.5 * text::width(&tick.label, NUMBER);

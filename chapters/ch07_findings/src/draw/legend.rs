@@ -6,7 +6,7 @@ use plotters::style::text_anchor::HPos;
 use super::canvas::{Canvas, Drawn};
 use super::marks;
 use super::text::{self, LABEL};
-use crate::chart::{Series, Style};
+use crate::chart::{Class, Series, Style};
 
 /// Length of a curve's sample, pixels.
 const LINE: f64 = 28.0;
@@ -40,13 +40,17 @@ enum Sample {
     Curve(Style),
     /// A piece of the bars' part of this number.
     Part(usize),
+    /// A piece of a map's cell.
+    Cell(Class),
+    /// A piece of theory over a map.
+    Law,
 }
 
 impl Sample {
     fn length(self) -> f64 {
         match self {
-            Sample::Curve(_) => LINE,
-            Sample::Part(_) => FILL,
+            Sample::Curve(_) | Sample::Law => LINE,
+            Sample::Part(_) | Sample::Cell(_) => FILL,
         }
     }
 }
@@ -64,6 +68,14 @@ impl Legend {
         let numbered = names.iter().enumerate();
         let entries = numbered.map(|(number, &name)| (Sample::Part(number), name));
         Self::arranged(entries, width)
+    }
+
+    /// The same for what cells of a map are, and the curve over them.
+    pub fn of_maps(classes: &[String], theory: &str, width: f64) -> Self {
+        let kinds = [Class::Held, Class::Worse, Class::Failed].map(Sample::Cell);
+        let cells = kinds.into_iter().zip(classes.iter().map(String::as_str));
+        let law = (!theory.is_empty()).then_some((Sample::Law, theory));
+        Self::arranged(cells.chain(law), width)
     }
 
     fn arranged<'a>(named: impl Iterator<Item = (Sample, &'a str)>, width: f64) -> Self {
@@ -105,6 +117,11 @@ impl Legend {
                     let ink = marks::ink_of_part(number);
                     marks::part(canvas, ink, [left, right], y, FILL)?;
                 }
+                Sample::Cell(class) => {
+                    let half = 0.5 * FILL;
+                    marks::cell(canvas, class, [left, y - half], [right, y + half])?;
+                }
+                Sample::Law => marks::law(canvas, &[(left, y), (right, y)])?,
             }
             let name_at = right + GAP;
             canvas.text(&entry.name, name_at, y, &text::label(HPos::Left))?;

@@ -4,7 +4,7 @@
 
 use super::canvas::{Canvas, Drawn, Ink, Point};
 use super::text::GREY;
-use crate::chart::Style;
+use crate::chart::{Class, Style};
 
 /// Shape of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,6 +101,30 @@ pub fn part(canvas: &mut Canvas, ink: Ink, ends: [f64; 2], y: f64, height: f64) 
         (left, y + half),
     ];
     canvas.polygon(&corners, ink)
+}
+
+/// The colour of a map's cell: the worse the darker, so that print in grey tells them apart too.
+fn ink_of_cell(class: Class) -> Ink {
+    match class {
+        Class::Held => ink(Style::Corrected).faint(0.2),
+        Class::Worse => ink(Style::Other(2)).faint(0.6),
+        Class::Failed => ink(Style::Printed),
+    }
+}
+
+/// Draws a map's cell between two of its corners.
+pub fn cell(canvas: &mut Canvas, class: Class, from: [f64; 2], to: [f64; 2]) -> Drawn {
+    let ([left, top], [right, bottom]) = (from, to);
+    let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+    canvas.polygon(&corners, ink_of_cell(class))
+}
+
+/// Draws theory over cells: dark dashes on a light line, which stand out on any cell and any ground.
+pub fn law(canvas: &mut Canvas, points: &[Point]) -> Drawn {
+    const LIGHT: Ink = Ink::full((0xFF, 0xFF, 0xFF));
+    const DARK: Ink = Ink::full((0x10, 0x10, 0x10));
+    canvas.line(points, LIGHT.faint(0.85), 3.4)?;
+    canvas.dashes(points, DARK, 1.6)
 }
 
 /// Draws an error bar between two points, one above the other, with a short line across each end.

@@ -10,6 +10,7 @@ mod csv;
 mod curves;
 mod frame;
 mod legend;
+mod maps;
 mod marks;
 mod numbers;
 mod scale;
@@ -31,7 +32,7 @@ const PLOT_HEIGHT: f64 = 330.0;
 /// Free space at the edges, pixels.
 const MARGIN: f64 = 10.0;
 
-/// A picture of either kind as an SVG file.
+/// A picture of any kind as an SVG file.
 ///
 /// # Errors
 /// [`FindingsError::Draw`] where the drawing library gives up.
@@ -39,6 +40,7 @@ pub fn picture(picture: &Picture) -> Result<String, FindingsError> {
     match picture {
         Picture::Curves(chart) => svg(chart),
         Picture::Bars(chart) => bars::svg(chart),
+        Picture::Maps(chart) => maps::svg(chart),
     }
 }
 
