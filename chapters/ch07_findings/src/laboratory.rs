@@ -8,6 +8,7 @@ mod costs;
 pub mod drift;
 pub mod floor;
 pub mod gas;
+pub mod maps;
 pub mod runs;
 pub mod scenario;
 pub mod scenarios;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::chart::{Chart, Picture};
 use crate::errata::ERRATA;
+use crate::laboratory::maps::{self, MAPS, Map};
 use crate::laboratory::{self, SCENARIOS, Scenario};
 use crate::lanes_kept::{beside_rapier, long_run, rows_and_colours, sleeping};
 use crate::{
@@ -44,6 +45,8 @@ enum Make {
     Calculate(fn() -> Chart),
     Laboratory,
     Scenario(&'static Scenario),
+    Maps,
+    Map(&'static Map),
 }
 
 /// A chart's measurement; `true` leaves out what takes long.
@@ -211,10 +214,22 @@ pub fn known() -> Vec<Known> {
         about: scenario.title,
         make: Make::Scenario(scenario),
     });
+    let all_maps = Known {
+        name: "failure_maps".to_owned(),
+        about: "where methods fail, with theory's line over it; goes on with the folder's failure_maps.csv",
+        make: Make::Maps,
+    };
+    let maps = MAPS.iter().map(|map| Known {
+        name: format!("failure_{}", map.name),
+        about: map.title,
+        make: Make::Map(map),
+    });
     measured
         .chain(errata)
         .chain([all])
         .chain(scenarios)
+        .chain([all_maps])
+        .chain(maps)
         .collect()
 }
 
@@ -235,6 +250,8 @@ impl Known {
             Make::Scenario(scenario) => {
                 laboratory::charts::product_of(scenario, quick, folder, say)
             }
+            Make::Maps => maps::product(quick, folder, say),
+            Make::Map(map) => maps::product_of(map, quick, folder, say),
             Make::Measure(measure) => measure(quick, say),
             Make::Calculate(calculate) => Ok(Product::of(calculate())),
         }

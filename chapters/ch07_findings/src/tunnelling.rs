@@ -164,7 +164,7 @@ pub fn unseen(speed: f64, rate: f64) -> f64 {
 }
 
 /// How far from a wall the corrected method sees it, m.
-fn margin() -> f64 {
+pub(crate) fn margin() -> f64 {
     let rules = Rules {
         restitution_threshold: 0.0,
         ..Rules::default()

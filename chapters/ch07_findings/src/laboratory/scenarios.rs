@@ -6,30 +6,30 @@ use ch00_scenes::{Body, Scene, Shape};
 
 use super::scenario::Scenario;
 
-mod ball_and_chain;
+pub(super) mod ball_and_chain;
 mod bounces;
 mod cradle;
 mod dzhanibekov;
 mod elastic_gas;
-mod fast_spin;
+pub(super) mod fast_spin;
 mod free_top;
-mod friction_directions;
+pub(super) mod friction_directions;
 mod hanging_chain;
 mod heavy_top;
-mod mass_ratio;
+pub(super) mod mass_ratio;
 mod oblique;
 mod pendulum;
 mod pile;
 mod pushed_box;
 mod ragdoll_pile;
-mod rolling;
+pub(super) mod rolling;
 mod slip_to_roll;
-mod spin_kept;
-mod stack;
-mod stall;
+pub(super) mod spin_kept;
+pub(super) mod stack;
+pub(super) mod stall;
 mod start_up;
 mod swings;
-mod tunnelling;
+pub(super) mod tunnelling;
 mod uneven_steps;
 
 /// All of them, in the order of the reference.
@@ -65,7 +65,7 @@ pub const SCENARIOS: &[Scenario] = &[
 ];
 
 /// m/s².
-const G: f64 = 9.81;
+pub(super) const G: f64 = 9.81;
 
 /// A ball.
 fn ball(radius: f64, mass: f64, position: DVec3) -> Body {

@@ -214,3 +214,24 @@ fn help_lists_the_charts() {
         assert!(said.contains(&chart.name), "{said}");
     }
 }
+
+#[test]
+fn a_failure_map_is_drawn_told_and_kept() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let args = ["failure_stall", "--quick", "--out", words(folder.path())];
+    let ran = chart(&args);
+    let said = String::from_utf8_lossy(&ran.stderr);
+    assert!(ran.status.success(), "{said}");
+    let drawn = std::fs::read_to_string(folder.path().join("failure_stall.svg"));
+    assert_well_formed(&drawn.expect("it is there"));
+    let page = std::fs::read_to_string(folder.path().join("failure_stall.txt")).expect("there");
+    assert!(page.contains("`printed`"), "{page}");
+    // Cut off in mid-row: the rest is measured anew, and no more.
+    let path = folder.path().join("failure_maps_quick.csv");
+    let table = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::write(&path, &table[..table.len() - 5]).expect("it is ours");
+    let again = String::from_utf8_lossy(&chart(&args).stderr).into_owned();
+    assert!(again.contains("1 of 1, 0 s left"), "{again}");
+    let whole = std::fs::read_to_string(&path).expect("it is there");
+    assert_eq!(whole, table, "a run says the same every time");
+}

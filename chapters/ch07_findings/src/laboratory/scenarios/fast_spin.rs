@@ -1,7 +1,10 @@
 //! 7: spins that come near or past half a turn a step, and what is read of them.
 
+use ch00_scenes::Scene;
+
 use super::share;
 use super::spin_kept::spinning;
+use crate::lab::Moment;
 use crate::laboratory::scenario::{AtTimes, MANY_RATES, Scenario, timed};
 
 /// rad/s; half a turn in 1/60 s is 188.5.
@@ -18,12 +21,15 @@ pub const SCENARIO: Scenario = Scenario {
     pass: 1e-4,
     rates: MANY_RATES,
     scenes: |rate, _| Ok(SPINS.map(|spin| timed(spinning(spin), rate, 0.1)).into()),
-    watcher: |scene| {
-        let spin = scene.bodies[0].angular_velocity.y;
-        Box::new(AtTimes::new([0.1], move |now, _| {
-            share(now.state.angular_velocity[0].y, spin)
-        }))
-    },
+    watcher: |scene| Box::new(spin_read(scene)),
     steps: None,
     page: "errata",
 };
+
+/// The error of the spin that is read after a tenth of a second, as a share of what it is.
+pub fn spin_read(scene: &Scene) -> AtTimes<impl Fn(&Moment, f64) -> f64 + use<>> {
+    let spin = scene.bodies[0].angular_velocity.y;
+    AtTimes::new([0.1], move |now, _| {
+        share(now.state.angular_velocity[0].y, spin)
+    })
+}

@@ -9,8 +9,10 @@ use crate::laboratory::scenario::{AtTimes, SOME_RATES, Scenario, timed};
 
 const SPEED: f64 = 4.0;
 const FRICTION: f64 = 0.5;
+/// How far a box slides, m.
+pub const WAY: f64 = SPEED * SPEED / (2.0 * FRICTION * G);
 /// Of a box, m.
-const HALF: DVec3 = DVec3::new(0.2, 0.02, 0.2);
+pub const HALF: DVec3 = DVec3::new(0.2, 0.02, 0.2);
 /// From one to the next, m.
 const ASIDE: f64 = 3.0;
 const DIRECTIONS: u32 = 7;
@@ -26,34 +28,38 @@ pub const SCENARIO: Scenario = Scenario {
     pass: 1e-2,
     rates: SOME_RATES,
     scenes: |rate, _| {
-        let mut scene = Scene::new("friction_directions");
-        scene.bodies.push(floor(30.0));
-        for k in 0..DIRECTIONS {
-            let along = direction(k);
-            let shape = Shape::Box { half_extents: HALF };
-            scene.bodies.push(Body {
-                linear_velocity: along * SPEED,
-                orientation: DQuat::from_rotation_arc(DVec3::X, along),
-                ..Body::new(shape, 1.0, start(k))
-            });
-        }
-        of_one_stuff(&mut scene, 0.0, FRICTION);
-        Ok(vec![timed(scene, rate, 1.5)])
+        let boxes = (0..DIRECTIONS).map(|k| (start(k), direction(k)));
+        Ok(vec![timed(scene(boxes), rate, 1.5)])
     },
     watcher: |_| {
         Box::new(AtTimes::new([1.5], |now, _| {
-            let way = SPEED * SPEED / (2.0 * FRICTION * G);
             worst((0..DIRECTIONS).map(|k| {
-                let wanted = start(k) + direction(k) * way;
+                let wanted = start(k) + direction(k) * WAY;
                 let mut off = now.state.position[k as usize + 1] - wanted;
                 off.y = 0.0;
-                off.length() / way
+                off.length() / WAY
             }))
         }))
     },
     steps: None,
     page: "ch03_friction",
 };
+
+/// Low boxes that begin at these places to slide in these directions.
+pub fn scene(boxes: impl Iterator<Item = (DVec3, DVec3)>) -> Scene {
+    let mut scene = Scene::new("friction_directions");
+    scene.bodies.push(floor(30.0));
+    for (start, along) in boxes {
+        let shape = Shape::Box { half_extents: HALF };
+        scene.bodies.push(Body {
+            linear_velocity: along * SPEED,
+            orientation: DQuat::from_rotation_arc(DVec3::X, along),
+            ..Body::new(shape, 1.0, start)
+        });
+    }
+    of_one_stuff(&mut scene, 0.0, FRICTION);
+    scene
+}
 
 /// Every 7.5° from x.
 fn direction(k: u32) -> DVec3 {

@@ -37,8 +37,9 @@ fn scenes(ratio: u64, rate: u32) -> Result<Vec<Scene>, FindingsError> {
     Ok(vec![timed(scene, rate, SECONDS)])
 }
 
+/// How far the upper cube is below its place.
 #[derive(Default)]
-struct Sink {
+pub struct Sink {
     sum: f64,
     steps: u32,
     fell: bool,

@@ -6,7 +6,8 @@ use glam::DVec3;
 use super::{G, ball, floor, of_one_stuff, share};
 use crate::laboratory::scenario::{AtTimes, SOME_RATES, Scenario, timed};
 
-const RADIUS: f64 = 0.5;
+/// m.
+pub const RADIUS: f64 = 0.5;
 /// Of the slope, rad, μ, the way, m, and the spin, rad/s, after 1 s.
 const SLOPES: [(f64, f64, f64, f64); 2] = [
     (20.0, 0.5, 1.198_292_002, 4.793_168_009),
@@ -23,17 +24,10 @@ pub const SCENARIO: Scenario = Scenario {
     one_percent: 0.01,
     pass: 1e-3,
     rates: SOME_RATES,
-    // The floor is level and gravity leans: that is the same, and no attitude is rounded.
     scenes: |rate, _| {
         Ok(SLOPES
-            .map(|(degrees, friction, _, _)| {
-                let mut scene = Scene::new("rolling");
-                let angle = f64::to_radians(degrees);
-                scene.gravity = DVec3::new(angle.sin(), -angle.cos(), 0.0) * G;
-                scene.bodies.push(floor(20.0));
-                scene.bodies.push(ball(RADIUS, 1.0, DVec3::Y * RADIUS));
-                of_one_stuff(&mut scene, 0.0, friction);
-                timed(scene, rate, 1.0)
+            .map(|(degrees, friction, _, _): (f64, _, _, _)| {
+                timed(scene(degrees.to_radians(), friction), rate, 1.0)
             })
             .into())
     },
@@ -49,3 +43,14 @@ pub const SCENARIO: Scenario = Scenario {
     steps: None,
     page: "ch03_friction",
 };
+
+/// A ball on a slope, rad, of some μ. The floor is level and gravity leans: that is the same, and no attitude
+/// is rounded.
+pub fn scene(slope: f64, friction: f64) -> Scene {
+    let mut scene = Scene::new("rolling");
+    scene.gravity = DVec3::new(slope.sin(), -slope.cos(), 0.0) * G;
+    scene.bodies.push(floor(20.0));
+    scene.bodies.push(ball(RADIUS, 1.0, DVec3::Y * RADIUS));
+    of_one_stuff(&mut scene, 0.0, friction);
+    scene
+}

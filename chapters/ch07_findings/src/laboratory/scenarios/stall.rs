@@ -5,6 +5,7 @@ use ch00_scenes::Scene;
 use glam::DVec3;
 
 use super::{G, ball, share};
+use crate::lab::Moment;
 use crate::laboratory::scenario::{AtTimes, MANY_RATES, Scenario, timed};
 
 /// m; of the theory the third stalls at 240 Hz, the second at 960.
@@ -20,21 +21,23 @@ pub const SCENARIO: Scenario = Scenario {
     one_percent: 0.01,
     pass: 0.01,
     rates: MANY_RATES,
-    scenes: |rate, _| {
-        Ok(HEIGHTS
-            .map(|height| {
-                let mut scene = Scene::new("stall");
-                scene.bodies.push(ball(0.1, 1.0, DVec3::Y * height));
-                timed(scene, rate, 1.0)
-            })
-            .into())
-    },
-    watcher: |scene| {
-        let from = scene.bodies[0].position.y;
-        Box::new(AtTimes::new([1.0], move |now, _| {
-            share(from - now.state.position[0].y, 0.5 * G)
-        }))
-    },
+    scenes: |rate, _| Ok(HEIGHTS.map(|height| timed(scene(height), rate, 1.0)).into()),
+    watcher: |scene| Box::new(fall(scene)),
     steps: None,
     page: "errata",
 };
+
+/// A body at rest so far up, m.
+pub fn scene(height: f64) -> Scene {
+    let mut scene = Scene::new("stall");
+    scene.bodies.push(ball(0.1, 1.0, DVec3::Y * height));
+    scene
+}
+
+/// The error of its fall in the first second, as a share of ½ g t².
+pub fn fall(scene: &Scene) -> AtTimes<impl Fn(&Moment, f64) -> f64 + use<>> {
+    let from = scene.bodies[0].position.y;
+    AtTimes::new([1.0], move |now, _| {
+        share(from - now.state.position[0].y, 0.5 * G)
+    })
+}
