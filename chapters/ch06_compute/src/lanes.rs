@@ -13,6 +13,7 @@ pub mod forces;
 pub mod joints;
 pub mod movers;
 pub mod pairs;
+pub mod plan;
 pub mod sleep;
 pub mod threads;
 pub mod work;
@@ -32,6 +33,7 @@ use forces::{Forces, Spring};
 use joints::Joints;
 use movers::Movers;
 use pairs::Pairs;
+use plan::{Part, Plan};
 use sleep::Sleep;
 use threads::Threads;
 use work::{Bounces, PressAgain, Restore, Solve};
@@ -55,6 +57,8 @@ pub struct Lanes<R: Real = Widest> {
     pub joints: Joints<R>,
     /// The constants of the run.
     pub rules: Rules,
+    /// What is kept although nothing needs it.
+    pub plan: Plan,
     /// Who works.
     pub threads: Threads,
     /// Who sleeps, if somebody may.
@@ -93,6 +97,7 @@ impl<R: Real> Lanes<R> {
             broad,
             forces,
             rules,
+            plan: Plan::default(),
         })
     }
 
@@ -208,16 +213,8 @@ impl<R: Real> Lanes<R> {
         self.last_pairs.recall(self.sleep.woken());
         let (found, last) = (&self.broad.pairs, &self.last_pairs);
         let least = self.least();
-        let method = self.rules.method;
-        pairs::meet(
-            found,
-            &self.bodies,
-            dt,
-            last,
-            method,
-            &mut self.pairs,
-            least,
-        );
+        let way = (self.rules.method, self.plan);
+        pairs::meet(found, &self.bodies, dt, last, way, &mut self.pairs, least);
     }
 
     // ANCHOR: start
@@ -290,7 +287,10 @@ impl<R: Real> Lanes<R> {
 
     /// Whether no joints hold the bodies and nothing but gravity pulls.
     fn is_plain(&self) -> bool {
-        self.joints.is_empty() && !self.forces.any_pull() && self.forces.pivots.is_empty()
+        self.joints.is_empty()
+            && !self.forces.any_pull()
+            && self.forces.pivots.is_empty()
+            && !self.plan.keeps(Part::Joints)
     }
 
     /// What bodies do in a substep, in one pass.

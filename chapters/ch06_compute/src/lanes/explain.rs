@@ -33,6 +33,7 @@ pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
     if lanes.rules.method == Method::Coloured {
         text += &explain_colours(lanes);
     }
+    text += &explain_plan(lanes);
     text += &explain_broad_phase(&lanes.broad);
     if lanes.rules.sleeping {
         let _ = writeln!(
@@ -74,6 +75,24 @@ fn explain_colours(lanes: &Lanes) -> String {
         colours.count() - usize::from(colours.alone().is_some()),
         lanes.pairs.bodies.len(),
         colours.without()
+    )
+}
+
+/// What is left out where nothing needs it.
+fn explain_plan(lanes: &Lanes) -> String {
+    let [rough, smooth] = lanes.pairs.batches.counts();
+    let all = |sets: &[usize]| sets.iter().sum::<usize>();
+    let joints = if lanes.is_plain() {
+        "no joint, nothing pulls but gravity: bodies move in one pass a substep"
+    } else {
+        "joints or forces: bodies move in several passes a substep"
+    };
+    format!(
+        "{joints}\nof {} batches of pairs {} leave out friction, {} what shapes other than balls need, {} all points but the first\n",
+        all(&rough) + all(&smooth),
+        all(&smooth),
+        all(&rough[..2]) + all(&smooth[..2]),
+        all(&rough[..3]) + all(&smooth[..3]),
     )
 }
 

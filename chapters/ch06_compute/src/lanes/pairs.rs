@@ -4,8 +4,9 @@ use rayon::iter::{
     IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
 };
 
-use super::batches::{BALL_AND_BOX, Batches, Pair};
+use super::batches::{BALL_AND_BOX, Batches, Pair, Sorts};
 use super::coloured::Colours;
+use super::plan::{Part, Plan};
 use super::sleep::KeptPair;
 use super::threads;
 use crate::bodies::Bodies;
@@ -74,7 +75,7 @@ impl<R: Real> Pairs<R> {
         self.bodies = bodies.map(|(a, b)| (moved(a), moved(b))).collect();
         let rows = self.starts.len().saturating_sub(2);
         self.colours.clear();
-        self.fill(rows, usize::MAX, |_| false);
+        self.fill(rows, usize::MAX, Plan::default(), |_| false);
     }
 
     /// Pairs that have woken are known as they were when they fell asleep. Of the pairs of a step that is past:
@@ -103,23 +104,32 @@ impl<R: Real> Pairs<R> {
 
     /// Puts the pairs into lanes, and lists those of each of so many bodies, of which some are boxes that stand.
     /// At least `least` pairs go together.
-    fn fill(&mut self, rows: usize, least: usize, stands: impl Fn(usize) -> bool + Sync) {
-        let colours = (self.colours.count(), self.colours.alone());
-        self.batches
-            .fill(self.bodies.len(), colours, least, |pair| {
-                let (a, b) = self.bodies[pair];
-                let (colour, moves) = self.colours.at(pair);
-                let manifold = &self.manifold[pair];
-                Pair {
-                    bodies: (a as u32, b as u32),
-                    moves,
-                    stands: manifold.kind == BALL_AND_BOX && (stands(a) || stands(b)),
-                    colour,
-                    manifold,
-                    material: &self.material[pair],
-                    impulse: &self.impulse[pair],
-                }
-            });
+    fn fill(
+        &mut self,
+        rows: usize,
+        least: usize,
+        plan: Plan,
+        stands: impl Fn(usize) -> bool + Sync,
+    ) {
+        let sorts = Sorts {
+            colours: self.colours.count(),
+            alone: self.colours.alone(),
+            plan,
+        };
+        self.batches.fill(self.bodies.len(), sorts, least, |pair| {
+            let (a, b) = self.bodies[pair];
+            let (colour, moves) = self.colours.at(pair);
+            let manifold = &self.manifold[pair];
+            Pair {
+                bodies: (a as u32, b as u32),
+                moves,
+                stands: manifold.kind == BALL_AND_BOX && (stands(a) || stands(b)),
+                colour,
+                manifold,
+                material: &self.material[pair],
+                impulse: &self.impulse[pair],
+            }
+        });
         list(rows, self);
     }
 }
@@ -132,7 +142,7 @@ pub fn meet<R: Real>(
     bodies: &Bodies,
     dt: f32,
     last: &Pairs<R>,
-    method: Method,
+    (method, plan): (Method, Plan),
     pairs: &mut Pairs<R>,
     least: usize,
 ) {
@@ -141,7 +151,7 @@ pub fn meet<R: Real>(
     let some = found.chunks(least.min(found.len()).max(1));
     met.par_iter_mut()
         .zip(some.collect::<Vec<_>>())
-        .for_each(|(met, found)| met.meet(found, bodies, dt, last));
+        .for_each(|(met, found)| met.meet(found, bodies, dt, last, plan));
     match &mut met[..] {
         [all] => all.swap_with(pairs),
         some => {
@@ -157,7 +167,7 @@ pub fn meet<R: Real>(
             .colours
             .paint(&pairs.bodies, bodies.rows(), |row| bodies.moves(row));
     }
-    pairs.fill(bodies.rows(), least, |row| bodies.is_block(row));
+    pairs.fill(bodies.rows(), least, plan, |row| bodies.is_block(row));
 }
 // ANCHOR_END: meet
 
@@ -207,6 +217,7 @@ impl Met {
         bodies: &Bodies,
         dt: f32,
         last: &Pairs<R>,
+        plan: Plan,
     ) {
         self.bodies.clear();
         self.material.clear();
@@ -224,6 +235,9 @@ impl Met {
             if m.points == 0 {
                 continue;
             }
+            if plan.keeps(Part::Points) {
+                repeat_points(m);
+            }
             while old < last.bodies.len() && last.bodies[old] < (a, b) {
                 old += 1;
             }
@@ -238,6 +252,15 @@ impl Met {
         self.manifold.truncate(self.bodies.len());
         self.impulse.truncate(self.bodies.len());
     }
+}
+
+/// Gives a pair four points, the first ones again.
+fn repeat_points(m: &mut Manifold) {
+    for k in m.points as usize..4 {
+        let of = k % m.points as usize;
+        (m.core_a[k], m.core_b[k]) = (m.core_a[of], m.core_b[of]);
+    }
+    m.points = 4;
 }
 
 /// A body as the narrow phase sees it.

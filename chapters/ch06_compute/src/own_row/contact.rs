@@ -15,6 +15,7 @@ mod impulses;
 mod moved;
 mod push;
 mod rub;
+mod smooth;
 mod touching;
 
 pub use given::Given;
@@ -22,6 +23,7 @@ pub use impacts::{bounces, restore_pair};
 pub use impulses::{Impulses, Surface};
 pub use moved::{Moved, Visit};
 pub use rub::across;
+pub use smooth::Smooth;
 pub use touching::{Contact, Touching, touching, touching_balls};
 
 use super::side::Side;
@@ -82,6 +84,9 @@ fn press<R: Real, I: Inertia<R>, const P: usize>(
             given.angular_a -= t.arm_a[k].cross(p);
             given.angular_b += t.arm_b[k].cross(p);
         }
+    }
+    if !I::RUBS {
+        return given;
     }
     given.linear += impulse.friction;
     given.angular_a -= t.mean_a.cross(impulse.friction);

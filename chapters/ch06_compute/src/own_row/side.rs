@@ -25,31 +25,42 @@ pub struct Side<R, I = Symmetric<R>> {
 // ANCHOR_END: side
 
 /// How bodies turn, as a row needs it: of balls the attitude is of no matter.
-pub trait Turns<R: Real>: Inertia<R> {
-    /// Attitudes, and I⁻¹ times `shares` in world axes, for as many rows as there are lanes.
-    fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self);
+pub trait Turns<R: Real>: Inertia<R> + Default {
+    /// Attitudes, for as many rows as there are lanes.
+    fn attitude(bodies: &Bodies, rows: &[u32]) -> Quat<R>;
+
+    /// I⁻¹ times `shares` in world axes.
+    fn inertia(bodies: &Bodies, rows: &[u32], attitude: Quat<R>, shares: R) -> Self;
 }
 
 impl<R: Real> Turns<R> for Symmetric<R> {
     #[inline(always)]
-    fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self) {
-        let attitude = attitude(bodies, rows);
+    fn attitude(bodies: &Bodies, rows: &[u32]) -> Quat<R> {
+        attitude(bodies, rows)
+    }
+
+    #[inline(always)]
+    fn inertia(bodies: &Bodies, rows: &[u32], attitude: Quat<R>, shares: R) -> Self {
         let inverse_inertia = Vec3::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia);
-        let turned = Symmetric::turned(attitude.matrix(), inverse_inertia * shares);
-        (attitude, turned)
+        Symmetric::turned(attitude.matrix(), inverse_inertia * shares)
     }
 }
 
 impl<R: Real> Turns<R> for Round<R> {
     #[inline(always)]
-    fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self) {
+    fn attitude(_: &Bodies, _: &[u32]) -> Quat<R> {
+        Quat::identity()
+    }
+
+    #[inline(always)]
+    fn inertia(bodies: &Bodies, rows: &[u32], _: Quat<R>, shares: R) -> Self {
         let inverse_inertia = R::of(|lane| bodies.solid[rows[lane] as usize].inverse_inertia.x);
-        (Quat::identity(), Round(inverse_inertia * shares))
+        Round(inverse_inertia * shares)
     }
 }
 
 /// How a ball turns, and what stands still: neither is turned by what presses.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Standing<R>(Round<R>);
 
 impl<R: Real> Inertia<R> for Standing<R> {
@@ -63,9 +74,13 @@ impl<R: Real> Inertia<R> for Standing<R> {
 
 impl<R: Real> Turns<R> for Standing<R> {
     #[inline(always)]
-    fn gather(bodies: &Bodies, rows: &[u32], shares: R) -> (Quat<R>, Self) {
-        let (_, inertia) = Round::gather(bodies, rows, shares);
-        (attitude(bodies, rows), Self(inertia))
+    fn attitude(bodies: &Bodies, rows: &[u32]) -> Quat<R> {
+        attitude(bodies, rows)
+    }
+
+    #[inline(always)]
+    fn inertia(bodies: &Bodies, rows: &[u32], attitude: Quat<R>, shares: R) -> Self {
+        Self(Round::inertia(bodies, rows, attitude, shares))
     }
 }
 
@@ -99,7 +114,8 @@ impl<R: Real, I: Turns<R>> Side<R, I> {
         [wx, wy, wz, inverse_mass]: [R; 4],
     ) -> Self {
         let [x, y, z, _] = gather::<R>(bytemuck::cast_slice(&bodies.place), rows);
-        let (attitude, shared_inertia) = I::gather(bodies, rows, shares);
+        let attitude = I::attitude(bodies, rows);
+        let shared_inertia = I::inertia(bodies, rows, attitude, shares);
         Self {
             position: Vec3::new(x, y, z),
             attitude,

@@ -65,6 +65,9 @@ pub trait Inertia<R: Real>: Copy {
     /// Whether all that presses goes through its centre, as it does on a ball: then it turns nothing.
     const CENTRAL: bool = false;
 
+    /// Whether the pair has friction: where it has none, nothing of it is computed.
+    const RUBS: bool = true;
+
     /// I⁻¹ T: what a turning impulse makes of the spin.
     fn answer(self, turning: Vec3<R>) -> Vec3<R>;
 }

@@ -15,6 +15,9 @@ pub(super) fn mend<R: Real, I: Inertia<R>, const P: usize>(
     a: &mut Side<R, I>,
     b: &mut Side<R, I>,
 ) {
+    if !I::RUBS {
+        return;
+    }
     let pressed = impulse.pressed();
     if P > 1 {
         mend_twist(t, impulse, surface, pressed, a, b);
