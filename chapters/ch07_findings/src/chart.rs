@@ -73,6 +73,8 @@ pub enum Style {
     Other(usize),
     /// Marks alone, without a line, as of [`Style::Other`] of this number.
     Marks(usize),
+    /// What others have published: stars without a line, in the colour of [`Style::Other`] of this number.
+    Published(usize),
 }
 
 /// A chart of bars: groups of them, one under the other, along a common axis that is evenly divided.

@@ -9,6 +9,7 @@ pub mod drift;
 pub mod floor;
 pub mod gas;
 pub mod maps;
+pub mod published;
 pub mod runs;
 pub mod scenario;
 pub mod scenarios;

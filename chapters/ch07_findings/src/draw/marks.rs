@@ -17,6 +17,7 @@ enum Shape {
     Cross,
     Plus,
     Ring,
+    Star,
 }
 
 /// Radius of a disc, pixels; the other shapes look as large.
@@ -69,6 +70,7 @@ fn look(style: Style) -> (Ink, Option<Shape>) {
             let (ink, shape) = OTHERS[number % OTHERS.len()];
             (ink, Some(shape))
         }
+        Style::Published(number) => (OTHERS[number % OTHERS.len()].0, Some(Shape::Star)),
     }
 }
 
@@ -76,7 +78,7 @@ fn look(style: Style) -> (Ink, Option<Shape>) {
 pub fn line(canvas: &mut Canvas, style: Style, points: &[Point]) -> Drawn {
     match style {
         Style::Theory => canvas.dashes(points, ink(style), 1.5),
-        Style::Marks(_) => Ok(()),
+        Style::Marks(_) | Style::Published(_) => Ok(()),
         _ => canvas.line(points, ink(style), 2.0),
     }
 }
@@ -155,6 +157,9 @@ pub fn mark(canvas: &mut Canvas, style: Style, at: Point) -> Drawn {
             canvas.line(&corners(&[(-1.2, 0.0), (1.2, 0.0)]), ink, 2.2)?;
             canvas.line(&corners(&[(0.0, -1.2), (0.0, 1.2)]), ink, 2.2)
         }
+        Shape::Star => STAR
+            .iter()
+            .try_for_each(|&(x, y)| canvas.line(&corners(&[(-x, -y), (x, y)]), ink, 1.8)),
         Shape::Ring => canvas.line(&corners(&RING), ink, 1.3),
         Shape::Cross => {
             canvas.line(&corners(&[(-0.95, -0.95), (0.95, 0.95)]), ink, 2.2)?;
@@ -165,6 +170,8 @@ pub fn mark(canvas: &mut Canvas, style: Style, at: Point) -> Drawn {
 
 const SQUARE: [Point; 4] = [(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)];
 const TRIANGLE: [Point; 3] = [(0.0, -1.25), (1.15, 0.8), (-1.15, 0.8)];
+/// Ends of three strokes.
+const STAR: [Point; 3] = [(0.0, 1.6), (1.39, 0.8), (1.39, -0.8)];
 const RING: [Point; 9] = [
     (1.9, 0.0),
     (1.34, 1.34),

@@ -9,7 +9,7 @@ use super::runs::measure;
 use super::scenario::Scenario;
 use super::scenarios::SCENARIOS;
 use super::store::Store;
-use super::{costs, tables};
+use super::{costs, published, tables};
 use crate::FindingsError;
 use crate::chart::{Axis, Chart, Picture, Series, Style};
 use crate::product::{Product, Say};
@@ -223,6 +223,7 @@ fn against_rate(scenario: &Scenario, cells: &[Cell]) -> Chart {
         &ends,
         |_| scenario.pass,
     ));
+    series.extend(published::stars(scenario.name));
     Chart {
         name: name(scenario, "_rates"),
         title: title(scenario, scenario.error),
