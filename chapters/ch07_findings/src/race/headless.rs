@@ -1,13 +1,15 @@
-//! A race without a window: all steps, then a table with a contender a row, and a picture of the last
-//! state if one is wanted.
+//! A race without a window: all steps, then a table with a contender a row, or a line of JSON each, and a picture
+//! of the last state if one is wanted.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
+use ch00_scenes::Scene;
 use ch00_shell::cli::Args;
 use ch00_shell::headless::{check_writable, print};
 use ch00_shell::screenshot::save_beside;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::{Value, json};
 
 use super::Race;
 use super::runner::Runner;
@@ -26,7 +28,8 @@ pub fn run(mut race: Race, args: &Args, picture: Option<PathBuf>) -> Result<(), 
         check_writable(file)?;
     }
     simulate(&mut race);
-    print(&table(&race))?;
+    let text = if args.json { json(&race) } else { table(&race) };
+    print(&text)?;
     if let Some(file) = picture {
         let adapter = save_beside(&mut race, args.view(), &file)?;
         eprintln!(
@@ -81,6 +84,42 @@ pub fn table(race: &Race) -> String {
     text
 }
 
+/// A line a contender, with the names that a run by itself has; null where there is nothing to tell.
+pub fn json(race: &Race) -> String {
+    let mut text = String::new();
+    for runner in &race.runners {
+        let _ = writeln!(text, "{}", line(race.scene(), runner));
+    }
+    text
+}
+
+fn line(scene: &Scene, runner: &Runner) -> Value {
+    let last = runner.curve.last();
+    let session = runner.session.as_ref().ok();
+    let info = session.map(|session| session.engine().info());
+    let info = info.as_ref();
+    json!({
+        "scene": scene.name,
+        "contender": runner.contender.to_string(),
+        "engine": info.map(|info| info.engine),
+        "method": info.map(|info| info.method),
+        "device": info.map(|info| info.device.clone()),
+        "n": scene.bodies.len(),
+        "joints": scene.joints.len(),
+        "steps": session.map(ch00_shell::Session::steps),
+        "dt": scene.dt,
+        "substeps": info.map(|info| info.substeps),
+        "sweeps": info.and_then(|info| info.sweeps),
+        "median_ms": runner.median_ms(),
+        "energy_error_final": last.and_then(|last| last.energy_error),
+        "p99_penetration_final_m": last.and_then(|last| last.p99),
+        "max_penetration_run_m": session.and(runner.deepest),
+        "max_joint_separation_run_m": runner.widest,
+        "hash": session.map(|session| format!("{:016x}", session.state_now().hash())),
+        "trouble": runner.trouble(),
+    })
+}
+
 /// The numbers of a contender, or why there are none.
 fn row(runner: &Runner) -> String {
     let Ok(session) = &runner.session else {
@@ -122,8 +161,6 @@ fn progress_bar(race: &Race) -> ProgressBar {
 
 #[cfg(test)]
 mod tests {
-    use ch00_scenes::Scene;
-
     use super::super::Contender;
     use super::*;
 
@@ -164,6 +201,24 @@ mod tests {
         let scene = Scene::open("oblique", None, None).expect("a built-in");
         let nobody = Race::new(scene, Contender::all(text).expect("they are"));
         assert!(nobody.is_err());
+    }
+
+    #[test]
+    fn json_has_a_line_each_with_the_numbers_of_the_table_or_the_trouble() {
+        let race = race("oblique", "objects@4,lanes", 5);
+        let lines: Vec<Value> = json(&race)
+            .lines()
+            .map(|line| serde_json::from_str(line).expect("JSON"))
+            .collect();
+        assert_eq!(lines.len(), 2);
+        assert!(lines[0]["trouble"].is_string() && lines[0]["median_ms"].is_null());
+        assert_eq!(
+            (&lines[1]["engine"], &lines[1]["steps"]),
+            (&json!("lanes"), &json!(5))
+        );
+        assert!(lines[1]["trouble"].is_null() && lines[1]["median_ms"].is_number());
+        let hash = lines[1]["hash"].as_str().expect("a hash");
+        assert!(table(&race).contains(hash), "{hash}");
     }
 
     #[test]

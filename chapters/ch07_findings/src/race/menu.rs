@@ -168,9 +168,9 @@ fn choose_contender(ui: &mut Ui, i: usize, contender: &mut Contender) {
     if let Some(chosen) = choose(ui, ("method", i), 84.0, &now, methods, |method| method.name) {
         *method = Some(chosen.name.to_owned());
     }
-    let now = substeps.map_or_else(|| "@".to_owned(), |substeps| format!("@{substeps}"));
+    let now = substeps.map_or_else(|| "usual".to_owned(), |substeps| format!("@{substeps}"));
     ComboBox::from_id_salt(("substeps", i))
-        .width(36.0)
+        .width(44.0)
         .selected_text(now)
         .show_ui(ui, |ui| {
             ui.selectable_value(substeps, None, "as the method has them");

@@ -32,7 +32,7 @@ pub use menu::RaceMenu;
 pub use run::Race;
 
 /// Flags that a race has no use for: contenders say how they run.
-pub const NOT_FOR_A_RACE: [&str; 12] = [
+pub const NOT_FOR_A_RACE: [&str; 11] = [
     "engine",
     "method",
     "substeps",
@@ -40,7 +40,6 @@ pub const NOT_FOR_A_RACE: [&str; 12] = [
     "threads",
     "variable_step",
     "explain",
-    "json",
     "dump",
     "layers",
     "dissect",
