@@ -36,14 +36,16 @@ pub const MAP: Map = Map {
     better_upwards: true,
     theory: "half a turn a step; of rapier an eighth; of printed and xpbd, 1 % is lost",
     who: || {
-        let half = |who: Who| who.law(Class::Held, |spin| spin / PI);
-        let lossy =
-            |parts: f64| move |who: Who| who.law(Class::Held, move |spin| loss(spin, parts));
-        let mut all: Vec<Who> = Who::all(["printed"]).map(lossy(1.0)).map(half).collect();
-        all.extend(Who::all(["corrected"]).map(half));
-        all.extend(Who::all(["xpbd"]).map(lossy(20.0)));
-        let eighth = |who: Who| who.law(Class::Held, |spin| spin / (0.25 * PI));
-        all.extend(Who::all(["rapier", "rapier tuned"]).map(eighth));
+        let half = |spin: f64| spin / PI;
+        let lossy = |who: Who, of: fn(f64) -> f64| who.law(Class::Held, of);
+        let mut all: Vec<Who> = Who::all(["printed"])
+            .map(|who| lossy(who, |spin| loss(spin, 6.0, 1.0)).line(half))
+            .collect();
+        all.extend(Who::all(["corrected"]).map(|who| who.law(Class::Held, half)));
+        all.extend(Who::all(["xpbd"]).map(|who| lossy(who, |spin| loss(spin, 4.0, 20.0))));
+        let eighth = |spin: f64| (1.0 - HELD) * spin / (0.25 * PI);
+        let capped = Who::all(["rapier", "rapier tuned"]);
+        all.extend(capped.map(|who| who.law(Class::Held, eighth)));
         all.extend(Who::all([
             "sequential-impulses",
             "soft-step",
@@ -56,11 +58,12 @@ pub const MAP: Map = Map {
     watcher: |scene, _, _| Box::new(fast_spin::spin_read(scene)),
 };
 
-/// The rate from which on a turn to first order in so many parts of a step loses 1 % at most: n parts of h s
-/// leave 1/√(1 + n (ω h/2)²), as in scenario 6.
-fn loss(spin: f64, parts: f64) -> f64 {
+/// The rate from which on a turn to first order in so many parts of a step loses 1 % at most. n parts of h s leave
+/// 1/√(1 + n (ω h)²/k). Where the spin is read by the sine of half the angle, as in scenario 6, k = 4; where it is
+/// read by the angle, a part takes ω to 2 arctan(ω h/2)/h, and k = 6 for small angles.
+fn loss(spin: f64, k: f64, parts: f64) -> f64 {
     let room = (1.0 - HELD).powi(-2) - 1.0;
-    let h = 4.0 * room / (SECONDS * spin * spin);
+    let h = k * room / (SECONDS * spin * spin);
     (parts * h).recip()
 }
 
@@ -74,7 +77,15 @@ mod tests {
         let n_h = |h: f64, seconds: f64| seconds / h * (10.0 * h / 2.0).powi(2);
         let left = 10.0 / (1.0 + n_h(1.0 / 60.0, 1.0)).sqrt();
         assert!((left - 8.401_680_504).abs() < 1e-9, "{left}");
-        let h = (20.0 * loss(10.0, 20.0)).recip();
+        let h = (20.0 * loss(10.0, 4.0, 20.0)).recip();
         assert!(((1.0 + n_h(h, SECONDS)).powf(-0.5) - 0.99).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_spin_that_is_read_by_the_angle_loses_two_thirds_as_much() {
+        let rate = loss(20.0, 6.0, 1.0).round();
+        let spin = (0..(SECONDS * rate) as u32)
+            .fold(20.0, |spin: f64, _| 2.0 * rate * (0.5 * spin / rate).atan());
+        assert!((spin / 20.0 - 0.99).abs() < 1e-4, "{spin}");
     }
 }

@@ -1,6 +1,6 @@
 //! Where a map's edge lies, and where theory says that it lies.
 
-use super::{Law, Map, Place, Who};
+use super::{Map, Place, Who};
 use crate::chart::{Class, Scale};
 use crate::lab::median;
 
@@ -29,9 +29,11 @@ pub struct Edge {
 }
 
 impl Edge {
-    /// Where a panel's cells turn bad, beside a law.
+    /// Where a panel's cells turn bad, beside its first law; None where it has none.
     #[must_use]
-    pub fn of(map: &Map, who: &Who, law: &Law, places: &[Place]) -> Self {
+    pub fn of(map: &Map, who: &Who, places: &[Place]) -> Option<Self> {
+        let mut laws = who.laws.iter();
+        let (law, until) = laws.find_map(|law| Some((&law.y, law.until?)))?;
         let mut cells: Vec<([f64; 2], Class)> = map
             .places(who, places)
             .filter_map(|place| Some((place.at, map.class(place)?)))
@@ -43,7 +45,7 @@ impl Edge {
         });
         let columns = cells.chunk_by(|a, b| a.0[0] == b.0[0]);
         let columns = columns.map(|column| {
-            let is_good = |cell: &&([f64; 2], Class)| cell.1 <= law.until;
+            let is_good = |cell: &&([f64; 2], Class)| cell.1 <= until;
             let good = column.iter().take_while(is_good).last();
             let bad = column.iter().find(|cell| !is_good(cell));
             let x = column[0].0[0];
@@ -51,14 +53,14 @@ impl Edge {
                 x,
                 good: good.map(|cell| cell.0[1]),
                 bad: bad.map(|cell| cell.0[1]),
-                law: (law.y)(x),
+                law: law(x),
             }
         });
-        Self {
+        Some(Self {
             columns: columns.collect(),
             better_upwards: map.better_upwards,
             log: (map.axes)()[1].scale == Scale::Log,
-        }
+        })
     }
 
     /// Whether theory's edge is where the measured one is: between the last good cell and the first bad one;

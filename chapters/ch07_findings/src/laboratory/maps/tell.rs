@@ -111,7 +111,7 @@ fn stopped(map: &Map, who: &Who, places: &[Place]) -> Vec<(f64, (f64, f64))> {
 fn edges<'a>(map: &'a Map, places: &'a [Place]) -> impl Iterator<Item = (Who, Edge)> + 'a {
     let who = (map.who)().into_iter();
     who.filter(|who| can(map, who, places)).filter_map(|who| {
-        let edge = Edge::of(map, &who, who.laws.first()?, places);
+        let edge = Edge::of(map, &who, places)?;
         Some((who, edge))
     })
 }
@@ -175,16 +175,13 @@ pub fn edges_csv(places: &[Place]) -> String {
     text
 }
 
-/// All maps that have edges, one table after the other.
+/// All maps, one table after the other, between anchors by which the book includes them one by one.
 pub fn page(places: &[Place]) -> String {
-    let with_edges = MAPS
-        .iter()
-        .filter(|map| edges(map, places).next().is_some());
-    let parts = with_edges.map(|map| {
-        let heading = format!("{}. {}", map.number, map.title);
-        format!("**{heading}.** {}", page_of(map, places))
-    });
-    parts.collect::<Vec<_>>().join("\n")
+    let part = |map: &Map| {
+        let (name, table) = (map.name, page_of(map, places));
+        format!("<!-- ANCHOR: {name} -->\n{table}\n<!-- ANCHOR_END: {name} -->\n")
+    };
+    MAPS.iter().map(part).collect()
 }
 
 /// What a map shows, as a table.
@@ -214,7 +211,8 @@ pub fn page_of(map: &Map, places: &[Place]) -> String {
             bad.to_string(),
         ]);
     }
-    for who in (map.who)().into_iter().filter(|who| who.laws.is_empty()) {
+    let free = |who: &Who| who.laws.iter().all(|law| law.until.is_none());
+    for who in (map.who)().into_iter().filter(free) {
         if let Some(row) = without_law(map, &who, places) {
             table.push(row);
         }
@@ -233,7 +231,7 @@ fn without_law(map: &Map, who: &Who, places: &[Place]) -> Option<Vec<String>> {
     let classes = || map.places(who, places).filter_map(|place| map.class(place));
     let all = classes().count();
     let good = classes().filter(|class| *class == crate::chart::Class::Held);
-    let told = format!("no line; {} of {all} cells are good", good.count());
+    let told = format!("{} of {all} cells are good", good.count());
     let none = || "–".to_owned();
     (all > 0).then(|| vec![format!("`{}`", who.name), told, none(), none(), none()])
 }

@@ -26,12 +26,15 @@ pub const MAP: Map = Map {
     better_upwards: true,
     theory: "from below: (2r + w)/Δt with corrected's margin, (2r + w)/Δt (P₁), (r + w/2)/Δt (P₂)",
     who: || {
-        let lines = |who: Who| who.law(Class::Held, unseen).law(Class::Held, crosses);
-        let mut all: Vec<Who> = Who::all(["printed"]).map(lines).collect();
-        let seen_from_afar = |who: Who| lines(who.law(Class::Held, unseen_from_afar));
-        all.extend(Who::all(["corrected"]).map(seen_from_afar));
-        let others = |who: Who| who.law(Class::Held, crosses).law(Class::Held, unseen);
-        all.extend(Who::all(["rapier", "rapier tuned"]).map(others));
+        let mut all: Vec<Who> = Who::all(["printed"])
+            .map(|who| who.law(Class::Held, unseen).line(crosses))
+            .collect();
+        let afar = |who: Who| who.law(Class::Held, unseen_from_afar);
+        let corrected = Who::all(["corrected"]).map(afar);
+        all.extend(corrected.map(|who| who.line(unseen).line(crosses)));
+        let found_too_late = |who: Who| who.law(Class::Held, crosses).line(unseen);
+        all.extend(Who::all(["rapier", "rapier tuned"]).map(found_too_late));
+        // Those look along the way of a step.
         let names = [
             "own-row",
             "coloured",
@@ -39,7 +42,7 @@ pub const MAP: Map = Map {
             "soft-step",
             "xpbd",
         ];
-        all.extend(Who::all(names).map(lines));
+        all.extend(Who::all(names).map(|who| who.line(unseen).line(crosses)));
         all
     },
     scene: |speed, rate, _| Ok(timed(scene(speed, rate as u32, PHASES), rate as u32, 0.5)),

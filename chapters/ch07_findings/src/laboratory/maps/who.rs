@@ -20,7 +20,7 @@ pub struct Who {
     pub base: Settings,
     /// What the map's vertical axis is for this method.
     pub knob: Knob,
-    /// What theory says; the first is what the edge is compared with.
+    /// What theory says.
     pub laws: Vec<Law>,
     /// So many steps in place of the scene's, and another one who looks.
     pub instead: Option<(u32, Watcher)>,
@@ -41,8 +41,8 @@ pub enum Knob {
 pub struct Law {
     /// y over x; where it isn't finite there is no line.
     pub y: Box<dyn Fn(f64) -> f64>,
-    /// The worst class on its good side.
-    pub until: Class,
+    /// The worst class on its good side; None of a line that is drawn for comparison.
+    pub until: Option<Class>,
 }
 
 impl Who {
@@ -112,7 +112,16 @@ impl Who {
     #[must_use]
     pub fn law(mut self, until: Class, y: impl Fn(f64) -> f64 + 'static) -> Self {
         let y = Box::new(y);
+        let until = Some(until);
         self.laws.push(Law { y, until });
+        self
+    }
+
+    /// The same with one more line, which its edge need not follow.
+    #[must_use]
+    pub fn line(mut self, y: impl Fn(f64) -> f64 + 'static) -> Self {
+        let y = Box::new(y);
+        self.laws.push(Law { y, until: None });
         self
     }
 
