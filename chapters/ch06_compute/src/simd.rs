@@ -12,6 +12,7 @@
     reason = "a formula that isn't expanded in place passes its lanes through memory"
 )]
 
+pub mod counted;
 mod matrix;
 mod quaternion;
 mod real;

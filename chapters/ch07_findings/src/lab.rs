@@ -137,6 +137,38 @@ impl Spread {
     }
 }
 
+/// The time that the processor works for this thread, as far as the system tells it, else what passes: what other
+/// programs take isn't counted. Linux counts at its ticks, of a few milliseconds.
+pub struct Clock {
+    worked: Option<f64>,
+    start: Instant,
+}
+
+impl Clock {
+    /// From now on.
+    pub fn start() -> Self {
+        Self {
+            worked: worked(),
+            start: Instant::now(),
+        }
+    }
+
+    /// Since the start, s.
+    pub fn seconds(&self) -> f64 {
+        match (self.worked, worked()) {
+            (Some(before), Some(now)) => now - before,
+            _ => self.start.elapsed().as_secs_f64(),
+        }
+    }
+}
+
+/// What the processor has worked for this thread, s.
+fn worked() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    let nanoseconds: f64 = text.split(' ').next()?.parse().ok()?;
+    Some(1e-9 * nanoseconds)
+}
+
 /// What the system calls the processor, as far as it says.
 pub fn processor() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();

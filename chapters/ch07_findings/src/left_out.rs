@@ -4,6 +4,7 @@
 //! were another one, says how much of a difference is chance.
 
 mod contest;
+mod lanes;
 
 use std::fmt::Write as _;
 
@@ -16,6 +17,7 @@ use crate::product::{Product, Say};
 use crate::table::{Table, three_digits};
 
 pub use contest::{Case, measured};
+pub use lanes::product as lanes_product;
 
 /// The scenes.
 pub const CASES: [Case; 6] = [

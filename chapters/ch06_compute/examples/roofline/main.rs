@@ -8,7 +8,6 @@
 //! Operations are counted by running the same step over numbers that count ([`counted::Counted`]). `needed`
 //! are those of one lane, `done` those of eight, idle lanes with them.
 
-mod counted;
 mod machine;
 mod passes;
 
@@ -20,8 +19,8 @@ use ch00_scenes::{Scene, Settings, State};
 use ch01_hierarchy::styles::report::processor;
 use ch06_compute::lanes::Lanes;
 use ch06_compute::rules::Rules;
+use ch06_compute::simd::counted::{self, Counted, Work};
 use ch06_compute::simd::{Eight, Real};
-use counted::{Counted, Work};
 use passes::{PASSES, substeps};
 
 type Problem = Box<dyn std::error::Error>;
@@ -202,7 +201,7 @@ fn counts<R: Real>(
         return Err("numbers that count compute something else".into());
     }
     let mut by = By::<Work>::new();
-    counted::done();
+    let _ = counted::done();
     substeps(&mut counting, scene.dt as f32, |pass| {
         let (work, sum) = (counted::done(), by.entry(pass).or_default());
         sum.arithmetic += work.arithmetic;

@@ -248,6 +248,12 @@ impl<R: Real> Batches<R> {
         [&self.rough, &self.smooth].map(Set::lengths)
     }
 
+    /// Bytes of all batches, and of what bodies gather.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.rough.bytes() + self.smooth.bytes() + size_of_val(&self.press[..])
+    }
+
     /// What a pair has pressed by now.
     #[must_use]
     pub fn impulse(&self, pair: usize) -> Impulse {

@@ -78,6 +78,16 @@ impl<R: Real> Set<R> {
         self.lengths().iter().sum()
     }
 
+    /// Bytes of all batches.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.balls[..])
+            + size_of_val(&self.walls[..])
+            + size_of_val(&self.one[..])
+            + size_of_val(&self.two[..])
+            + size_of_val(&self.three[..])
+            + size_of_val(&self.four[..])
+    }
+
     /// Does something with some batches; `press` has a row a lane of all.
     pub fn each_in(
         &mut self,

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use ch06_compute::simd::{MOST_LANES, Real};
+use super::{MOST_LANES, Real};
 
 /// What was done in all lanes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,7 +18,8 @@ thread_local! {
     static DONE: Cell<Work> = const { Cell::new(Work { arithmetic: 0, choices: 0 }) };
 }
 
-/// What was done since this was last asked.
+/// What this thread did since this was last asked.
+#[must_use]
 pub fn done() -> Work {
     DONE.take()
 }
