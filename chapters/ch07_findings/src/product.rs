@@ -53,7 +53,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 27] = [
+const MEASURED: [(&str, &str, Measure); 28] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -128,6 +128,11 @@ const MEASURED: [(&str, &str, Measure); 27] = [
         "left_out",
         "what each part that a plan leaves out would cost",
         left_out::product,
+    ),
+    (
+        "lanes_left_out",
+        "what each part that engine `lanes` leaves out would cost",
+        left_out::lanes_product,
     ),
     (
         "architecture_method_hardware",
