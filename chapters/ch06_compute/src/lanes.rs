@@ -85,6 +85,7 @@ impl<R: Real> Lanes<R> {
             .iter()
             .map(|pivot| pivot.body as u32)
             .collect();
+        broad.look_at(&bodies);
         Ok(Self {
             threads: Threads::default(),
             gathered: vec![Gathered::default(); bodies.rows()],

@@ -1,13 +1,15 @@
 //! Broad phase: which bodies may touch in the step. Boxes are sorted by counting into grids, one for each size of
-//! body. They have room for some steps, so what is found stays true until a body leaves its box.
+//! body, or put into a tree. They have room for some steps, so what is found stays true until a body leaves its box.
 
 mod bound;
 mod candidates;
+mod choice;
 mod leavers;
 mod level;
 mod levels;
 #[cfg(test)]
 mod tests;
+mod tree;
 
 use std::ops::Range;
 
@@ -17,8 +19,10 @@ use rayon::prelude::*;
 use crate::bodies::Bodies;
 pub use bound::Bound;
 use candidates::Candidates;
+pub use choice::{UNEQUAL, Way};
 use leavers::Leavers;
 use levels::Levels;
+use tree::Tree;
 
 /// A body is fast if it looks this many times as far as it reaches.
 const FAST: f32 = 2.0;
@@ -39,7 +43,13 @@ pub struct BroadPhase {
     bounds: Vec<Bound>,
     /// By row: the same with room for some steps, as they were when the candidates were found.
     rooms: Vec<Bound>,
+    way: Way,
+    /// How candidates are looked for, whatever the sizes are.
+    forced: Option<Way>,
+    /// How many times as wide as a small box a large one is, where the sizes were looked at.
+    spread: f32,
     levels: Levels,
+    tree: Tree,
     /// What each thread found.
     found: Vec<Vec<[u32; 2]>>,
     candidates: Candidates,
@@ -64,6 +74,32 @@ impl BroadPhase {
         self.rooms.clear();
     }
 
+    /// Candidates are looked for in this way from now on, whatever the sizes are.
+    pub fn force(&mut self, way: Way) {
+        self.forced = Some(way);
+        self.forget();
+    }
+
+    /// Looks at the sizes of bodies, before there is a step.
+    pub fn look_at(&mut self, bodies: &Bodies) {
+        let about = (0..bodies.rows()).map(|row| bound::about(bodies, row, 0.0));
+        self.bounds = about.collect();
+        self.choose();
+    }
+
+    /// Chooses how candidates are looked for.
+    fn choose(&mut self) {
+        self.spread = choice::spread(&self.bounds);
+        self.way = self.forced.unwrap_or_else(|| choice::of(self.spread));
+    }
+
+    /// How candidates are looked for; how many times as wide as a small box a large one is; and whether that was
+    /// the reason.
+    #[must_use]
+    pub fn way(&self) -> (Way, f32, bool) {
+        (self.way, self.spread, self.forced.is_none())
+    }
+
     /// A body is gone, and those after it have moved up.
     pub fn remove_body(&mut self, row: usize) {
         let moved = |other: usize| if other > row { other - 1 } else { other };
@@ -76,10 +112,25 @@ impl BroadPhase {
         self.forget();
     }
 
-    /// Rows of the bodies that are too large for the grids.
+    /// Rows of the bodies that are too large for the grids or the tree.
     #[must_use]
-    pub fn large(&self) -> &[u32] {
-        self.levels.large()
+    pub fn large(&self) -> Vec<u32> {
+        match self.way {
+            Way::Grids => self.levels.large().to_vec(),
+            Way::Tree => self.tree.large().collect(),
+        }
+    }
+
+    /// How many bodies are in the tree, and how many leaves it has.
+    #[must_use]
+    pub fn tree(&self) -> (usize, usize) {
+        self.tree.size()
+    }
+
+    /// How often the tree was sorted, and how often an older order fitted well enough.
+    #[must_use]
+    pub fn sorted_and_refitted(&self) -> (usize, usize) {
+        (self.tree.sorted, self.tree.refitted)
     }
 
     /// The grids, from the finest: the edge of a cell, m, and how many bodies.
@@ -129,11 +180,21 @@ pub fn find_pairs(bodies: &Bodies, dt: f32, broad: &mut BroadPhase) {
     } else {
         broad.rebuilds += 1;
         broad.leavers.forget();
+        if !known {
+            broad.choose();
+        }
         make_room(bodies, dt, threads, broad);
-        broad
-            .levels
-            .build(&broad.rooms, |row| bodies.is_static(row));
-        broad.levels.find(threads, &mut broad.found);
+        let (rooms, found) = (&broad.rooms, &mut broad.found);
+        match broad.way {
+            Way::Grids => {
+                broad.levels.build(rooms, |row| bodies.is_static(row));
+                broad.levels.find(threads, found);
+            }
+            Way::Tree => {
+                broad.tree.build(rooms, !known, |row| bodies.is_static(row));
+                broad.tree.find(threads, found);
+            }
+        }
         let candidates = &mut broad.candidates;
         candidates.take(&broad.found, bodies.rows(), &broad.ignored);
     }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use ch00_scenes::Scene;
 
 use super::Lanes;
-use super::broad_phase::BroadPhase;
+use super::broad_phase::{BroadPhase, UNEQUAL, Way};
 use super::sleep::{DISTANCE, TIME};
 use crate::rows::{Held, Impulse, Manifold, Material, Motion, Place, Press, Push, Solid, Spin};
 use crate::rules::Method;
@@ -87,33 +87,56 @@ fn explain_plan(lanes: &Lanes) -> String {
     } else {
         "joints or forces: bodies move in several passes a substep"
     };
-    format!(
-        "{joints}\nof {} batches of pairs {} leave out friction, {} what shapes other than balls need, {} all points but the first\n",
-        all(&rough) + all(&smooth),
-        all(&smooth),
-        all(&rough[..2]) + all(&smooth[..2]),
-        all(&rough[..3]) + all(&smooth[..3]),
-    )
+    let batches = all(&rough) + all(&smooth);
+    let mut text = joints.to_owned() + "\n";
+    if batches > 0 {
+        let _ = writeln!(
+            text,
+            "of {batches} batches of pairs {} leave out friction, {} what shapes other than balls need, {} all points but the first",
+            all(&smooth),
+            all(&rough[..2]) + all(&smooth[..2]),
+            all(&rough[..3]) + all(&smooth[..3]),
+        );
+    }
+    text
 }
 
 /// How it is found who may touch, and why so.
 fn explain_broad_phase(broad: &BroadPhase) -> String {
     let mut text = String::new();
-    for (edge, bodies) in broad.grids() {
-        let _ = writeln!(text, "grid: cells of {edge:.3} m for {bodies} bodies");
+    let steps = broad.rebuilds + broad.reuses;
+    let (way, spread, chosen) = broad.way();
+    let large = broad.large().len();
+    let why = if chosen {
+        format!(
+            "of ten boxes the widest is {spread:.1} times as wide as the narrowest, and from {UNEQUAL} on a tree is the quicker one (--example broad_phases)"
+        )
+    } else {
+        "since it was told to".to_owned()
+    };
+    match way {
+        Way::Grids => {
+            for (edge, bodies) in broad.grids() {
+                let _ = writeln!(text, "grid: cells of {edge:.3} m for {bodies} bodies");
+            }
+            let _ = writeln!(text, "broad phase: grids by size: {why}");
+        }
+        Way::Tree => {
+            let (bodies, leaves) = broad.tree();
+            if steps > 0 {
+                let _ = writeln!(text, "tree: {leaves} leaves for {bodies} bodies");
+            }
+            let _ = writeln!(text, "broad phase: a KD-tree: {why}");
+        }
     }
+    if steps == 0 {
+        return text;
+    }
+    let _ = writeln!(text, "{large} bodies on the short list of large ones");
     let _ = writeln!(
         text,
-        "broad phase: grids by size, quicker than the tree of chapter 3 from equal bodies to sizes of 1 to 100 (--example broad_phases); {} bodies on the short list of large ones",
-        broad.large().len()
+        "in {} of {steps} steps all were sorted anew; in the others only those who had left their boxes were looked for",
+        broad.rebuilds
     );
-    let steps = broad.rebuilds + broad.reuses;
-    if steps > 0 {
-        let _ = writeln!(
-            text,
-            "in {} of {steps} steps all were sorted anew; in the others only those who had left their boxes were looked for",
-            broad.rebuilds
-        );
-    }
     text
 }

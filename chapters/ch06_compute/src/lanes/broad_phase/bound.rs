@@ -8,6 +8,9 @@ use wide::f32x4;
 use crate::bodies::Bodies;
 use crate::rules::MARGIN;
 
+/// How many boxes of a crowd are looked at.
+const SAMPLE: usize = 1024;
+
 /// Room in a box for what its body may do beyond the step, in reaches of the body.
 const ROOM: f32 = 0.1;
 
@@ -73,12 +76,44 @@ impl Bound {
         [x, y, z]
     }
 
+    /// The smallest box about both.
+    #[inline]
+    #[must_use]
+    pub fn joined(self, other: &Self) -> Self {
+        Self {
+            low: self.low.fast_min(other.low),
+            high: self.high.fast_max(other.high),
+        }
+    }
+
+    /// Twice its centre, m.
+    #[must_use]
+    pub fn twice_the_centre(&self) -> [f32; 3] {
+        let [x, y, z, _] = (self.low + self.high).to_array();
+        [x, y, z]
+    }
+
+    /// The sum of its edges, m.
+    #[must_use]
+    pub fn edges(&self) -> f32 {
+        let [x, y, z, _] = (self.high - self.low).to_array();
+        x + y + z
+    }
+
     /// Its longest edge, m; negative if it holds nothing.
     #[must_use]
     pub fn extent(&self) -> f32 {
         let [x, y, z, _] = (self.high - self.low).to_array();
         x.max(y).max(z)
     }
+}
+
+/// The longest edges of some boxes of a crowd, m.
+#[must_use]
+pub fn some_extents(bounds: &[Bound]) -> Vec<f32> {
+    let step = bounds.len().div_ceil(SAMPLE).max(1);
+    let extents = bounds.iter().step_by(step).map(Bound::extent);
+    extents.filter(|&extent| extent > 0.0).collect()
 }
 
 /// How far the surface of a body comes by turning, at most, m/s.

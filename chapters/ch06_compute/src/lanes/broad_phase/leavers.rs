@@ -3,7 +3,7 @@
 
 use super::candidates::Candidates;
 use super::level::Row;
-use super::{Bound, BroadPhase, bound};
+use super::{Bound, BroadPhase, Way, bound};
 use crate::bodies::Bodies;
 
 /// So many bodies, one of …, may have left their room before all is built anew.
@@ -65,7 +65,10 @@ pub fn give_room(bodies: &Bodies, broad: &mut BroadPhase) {
     for &row in &leavers.new {
         let of = |row: u32| Row::of(row, bodies.is_static(row as usize));
         let room: Bound = broad.rooms[row as usize];
-        broad.levels.find_all(of(row), &room, &mut leavers.added);
+        match broad.way {
+            Way::Grids => broad.levels.find_all(of(row), &room, &mut leavers.added),
+            Way::Tree => broad.tree.find_all(of(row), &room, &mut leavers.added),
+        }
         for &other in &leavers.all {
             let idle = of(row).is_static() && of(other).is_static();
             if !idle && room.overlaps(&broad.rooms[other as usize]) {

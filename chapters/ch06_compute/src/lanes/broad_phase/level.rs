@@ -33,7 +33,9 @@ impl Row {
         self.0 & STATIC != 0
     }
 
-    fn row(self) -> u32 {
+    /// The row without it.
+    #[inline]
+    pub fn row(self) -> u32 {
         self.0 & !STATIC
     }
 

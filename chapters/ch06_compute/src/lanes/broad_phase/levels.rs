@@ -7,8 +7,8 @@
 
 use rayon::prelude::*;
 
-use super::Bound;
 use super::level::{Cell, Level, Row, cell_of};
+use super::{Bound, bound};
 
 /// How much wider cells are than those of the level below.
 const WIDER: f32 = 2.0;
@@ -21,9 +21,6 @@ const MOST_LEVELS: usize = 16;
 
 /// The lowest level is for boxes up to this many times as large as the median.
 const USUAL: f32 = 2.0;
-
-/// How many boxes are looked at for the median.
-const SAMPLE: usize = 1024;
 
 /// Bodies that one thread takes at a time.
 const CHUNK: usize = 512;
@@ -206,9 +203,7 @@ fn looks_down(coarse: &Level, fine: &Level) -> bool {
 
 /// The largest edge of the usual boxes, m.
 fn usual_edge(bounds: &[Bound]) -> f32 {
-    let step = bounds.len().div_ceil(SAMPLE).max(1);
-    let extents = bounds.iter().step_by(step).map(Bound::extent);
-    let mut extents: Vec<f32> = extents.filter(|&extent| extent > 0.0).collect();
+    let mut extents = bound::some_extents(bounds);
     if extents.is_empty() {
         return 1.0;
     }

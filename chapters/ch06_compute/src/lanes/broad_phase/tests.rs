@@ -8,6 +8,14 @@ use crate::rules::Rules;
 
 const DT: f32 = 1.0 / 60.0;
 
+const WAYS: [Way; 2] = [Way::Grids, Way::Tree];
+
+fn by(way: Way) -> BroadPhase {
+    let mut broad = BroadPhase::default();
+    broad.force(way);
+    broad
+}
+
 /// All pairs by asking each body about each.
 fn by_force(bodies: &Bodies, dt: f32, broad: &BroadPhase) -> Vec<(usize, usize)> {
     let is_aside = |row: usize| broad.aside.contains(&(row as u32));
@@ -72,11 +80,13 @@ fn within<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
 }
 
 #[test]
-fn the_grids_find_what_brute_force_finds_for_equal_and_for_unequal_sizes() {
+fn grids_and_tree_find_what_brute_force_finds_for_equal_and_for_unequal_sizes() {
     for (count, spread, seed) in [(1, 1.0, 1), (10, 2.0, 2), (500, 4.0, 3), (2500, 100.0, 4)] {
         let bodies = crowd(count, spread, seed);
-        let pairs = finds_all(&bodies, &mut BroadPhase::default());
-        assert!(pairs > 20 || count < 500);
+        for way in WAYS {
+            let pairs = finds_all(&bodies, &mut by(way));
+            assert!(pairs > 20 || count < 500);
+        }
     }
 }
 
@@ -87,18 +97,23 @@ fn far_from_the_origin_and_across_it_nothing_is_lost() {
         for place in bodies.place.iter_mut().skip(150) {
             place.position += far;
         }
-        finds_all(&bodies, &mut BroadPhase::default());
+        for way in WAYS {
+            finds_all(&bodies, &mut by(way));
+        }
     }
 }
 
 #[test]
 fn in_each_step_of_a_scene_the_pairs_are_those_of_brute_force() {
-    for (name, count, steps) in [
-        ("balls", 200, 300),
-        ("pile", 150, 300),
-        ("ragdolls", 12, 200),
+    for (name, count, steps, way) in [
+        ("balls", 200, 300, Way::Grids),
+        ("pile", 150, 300, Way::Grids),
+        ("ragdolls", 12, 200, Way::Grids),
+        ("pile", 150, 300, Way::Tree),
+        ("ragdolls", 12, 200, Way::Tree),
     ] {
         let mut lanes = start(name, count);
+        lanes.broad.force(way);
         for step in 0..steps {
             lanes.step(DT, |_| {});
             if step % 2 == 0 {
@@ -114,22 +129,30 @@ fn in_each_step_of_a_scene_the_pairs_are_those_of_brute_force() {
 #[test]
 fn pairs_found_before_are_those_that_a_rebuild_finds() {
     let mut lanes = start("balls", 3000);
-    let mut reused = 0;
+    let mut tree = by(Way::Tree);
     for _ in 0..240 {
         lanes.step(DT, |_| {});
-        reused += usize::from(lanes.broad.reuses > 0);
         let mut anew = BroadPhase::default();
         find_pairs(&lanes.bodies, DT, &mut anew);
+        find_pairs(&lanes.bodies, DT, &mut tree);
         find_pairs(&lanes.bodies, DT, &mut lanes.broad);
         assert_eq!(anew.pairs, lanes.broad.pairs);
+        assert_eq!(anew.pairs, tree.pairs);
     }
-    assert!(reused > 0);
+    assert!(lanes.broad.reuses > 0 && tree.reuses > 0);
+    let (sorted, refitted) = tree.sorted_and_refitted();
+    assert!(sorted > 0 && refitted > 0, "{sorted} and {refitted}");
 }
 
 #[test]
 fn a_few_bodies_put_elsewhere_are_found_there_and_no_longer_where_they_were() {
+    for way in WAYS {
+        put_elsewhere(by(way));
+    }
+}
+
+fn put_elsewhere(mut broad: BroadPhase) {
     let mut bodies = crowd(800, 4.0, 6);
-    let mut broad = BroadPhase::default();
     finds_all(&bodies, &mut broad);
     let mut random = SplitMix64::new(7);
     for turn in 0..30 {
@@ -149,17 +172,21 @@ fn a_few_bodies_put_elsewhere_are_found_there_and_no_longer_where_they_were() {
 #[test]
 fn one_two_and_four_threads_find_the_same_pairs_in_the_same_order() {
     let bodies = crowd(6000, 30.0, 8);
-    let pairs = [1, 2, 4].map(|threads| {
+    let pairs = |threads: usize, way: Way| {
         within(threads, || {
-            let mut broad = BroadPhase::default();
+            let mut broad = by(way);
             find_pairs(&bodies, DT, &mut broad);
             find_pairs(&bodies, DT, &mut broad);
             broad.pairs
         })
-    });
-    assert!(pairs[0].len() > 1000);
-    assert_eq!(pairs[0], pairs[1]);
-    assert_eq!(pairs[0], pairs[2]);
+    };
+    let one = pairs(1, Way::Grids);
+    assert!(one.len() > 1000);
+    for way in WAYS {
+        for threads in [1, 2, 4] {
+            assert!(pairs(threads, way) == one, "{way:?} on {threads}");
+        }
+    }
 }
 
 #[test]
@@ -169,7 +196,9 @@ fn bodies_that_are_all_in_one_place_are_all_pairs() {
         bodies.place[row].position = Vec3::ONE;
         bodies.motion[row].velocity = Vec3::ZERO;
     }
-    assert!(finds_all(&bodies, &mut BroadPhase::default()) > 5000);
+    for way in WAYS {
+        assert!(finds_all(&bodies, &mut by(way)) > 5000);
+    }
 }
 
 #[test]
@@ -179,11 +208,21 @@ fn who_is_nowhere_has_no_pair() {
     bodies.place[101].position = Vec3::INFINITY;
     bodies.motion[103].velocity.y = f32::NEG_INFINITY;
     bodies.motion[104].velocity.z = f32::NAN;
-    let mut broad = BroadPhase::default();
-    for _ in 0..2 {
+    for way in WAYS {
+        let mut broad = by(way);
+        for _ in 0..2 {
+            finds_all(&bodies, &mut broad);
+            let nowhere = |row: usize| [100, 101, 103, 104].contains(&row);
+            assert!(!broad.pairs.iter().any(|&(a, b)| nowhere(a) || nowhere(b)));
+        }
+        // And back again.
+        let mut bodies = bodies.clone();
+        bodies.place[100].position.x = 0.0;
+        bodies.motion[103].velocity.y = 0.0;
+        for row in 200..300 {
+            bodies.place[row].position += 1.0;
+        }
         finds_all(&bodies, &mut broad);
-        let nowhere = |row: usize| [100, 101, 103, 104].contains(&row);
-        assert!(!broad.pairs.iter().any(|&(a, b)| nowhere(a) || nowhere(b)));
     }
 }
 
@@ -192,13 +231,44 @@ fn a_huge_body_meets_all_and_is_on_the_list_of_large_ones() {
     let mut bodies = crowd(400, 1.0, 11);
     bodies.solid[7].size.x = 1e4;
     bodies.place[7].reach = 1e4;
-    let mut broad = BroadPhase::default();
-    assert!(finds_all(&bodies, &mut broad) >= bodies.rows() - 1);
-    assert!(broad.large().contains(&7));
+    for way in WAYS {
+        let mut broad = by(way);
+        assert!(finds_all(&bodies, &mut broad) >= bodies.rows() - 1);
+        assert!(broad.large().contains(&7));
+    }
+}
+
+#[test]
+fn bodies_of_about_one_size_are_looked_for_in_grids_and_others_in_a_tree() {
+    for (spread, way) in [
+        (1.0, Way::Grids),
+        (4.0, Way::Grids),
+        (30.0, Way::Tree),
+        (100.0, Way::Tree),
+    ] {
+        let mut broad = BroadPhase::default();
+        let mut bodies = crowd(3000, spread, 12);
+        for motion in &mut bodies.motion {
+            motion.velocity = Vec3::ZERO;
+        }
+        finds_all(&bodies, &mut broad);
+        assert_eq!(broad.way().0, way, "{:?}", broad.way());
+    }
+    for name in ["balls", "pile", "mixed", "ragdolls"] {
+        let mut lanes = start(name, 100);
+        lanes.step(DT, |_| {});
+        assert_eq!(
+            lanes.broad.way().0,
+            Way::Grids,
+            "{name} {:?}",
+            lanes.broad.way()
+        );
+    }
 }
 
 #[test]
 fn no_bodies_are_no_pairs() {
-    let mut broad = BroadPhase::default();
-    assert_eq!(finds_all(&Bodies::default(), &mut broad), 0);
+    for way in WAYS {
+        assert_eq!(finds_all(&Bodies::default(), &mut by(way)), 0);
+    }
 }
