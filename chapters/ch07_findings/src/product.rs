@@ -53,7 +53,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 28] = [
+const MEASURED: [(&str, &str, Measure); 29] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -168,6 +168,11 @@ const MEASURED: [(&str, &str, Measure); 28] = [
         "substeps_on_the_gpu",
         "what a substep costs on the GPU and what it buys, from a table kept in the book",
         substeps_on_the_gpu::product,
+    ),
+    (
+        "lanes_broad_phase",
+        "time to find who may touch by engine `lanes`, from a table kept in the book",
+        crate::lanes_kept::broad_phase::product,
     ),
     (
         "lanes_beside_rapier",

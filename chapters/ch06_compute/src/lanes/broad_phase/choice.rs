@@ -3,8 +3,8 @@
 use super::{Bound, bound};
 
 /// From this spread of sizes on a tree is quicker than grids: `--example broad_phases`, crowds `unequal`. Radii that
-/// are spread evenly by logarithm from 1 to 10 have a spread of 6.3.
-pub const UNEQUAL: f32 = 6.0;
+/// are spread evenly by logarithm from 1 to 13 have it.
+pub const UNEQUAL: f32 = 8.0;
 
 // ANCHOR: choice
 /// How boxes that may overlap are found. What is found is the same.
