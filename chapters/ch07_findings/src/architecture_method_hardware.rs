@@ -6,9 +6,7 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use ch00_scenes::measures::Measures;
-use ch00_scenes::{Engine, EngineEntry, Scene, Settings, State};
-use ch00_shell::Gpu;
-use ch06_compute::compute::ComputeEngine;
+use ch00_scenes::{EngineEntry, Scene, Settings, State};
 
 use crate::FindingsError;
 use crate::chart::{Bar, Bars, Group};
@@ -16,6 +14,7 @@ use crate::columns::built;
 use crate::draw;
 use crate::lab::{self, Spread, TURN};
 use crate::product::{Product, Say};
+use crate::stepped::Stepped;
 use crate::table::{Table, percent, three_digits};
 
 /// Numbers of balls, and turns that are timed.
@@ -98,7 +97,7 @@ pub fn measured(balls: u64, turns: u32, settling: u32) -> Result<Sample, Finding
     let dt = scene.dt as f32;
     let mut engines = Vec::new();
     for (entry, ..) in ENGINES {
-        let mut engine = Stepped::load(entry, &scene)?;
+        let mut engine = Stepped::load(entry, &Settings::defaults(), &scene)?;
         engine.steps(dt, settling);
         engines.push(engine);
     }
@@ -143,71 +142,6 @@ fn same_bits(scene: &Scene, objects: &State, properties: &State) -> Result<(), F
         run: ENGINES[1].1.to_owned(),
         what: "the state after the last step".to_owned(),
     })
-}
-
-/// An engine whose steps are waited for.
-enum Stepped {
-    /// On the processor each is done when it returns.
-    OneByOne(Box<dyn Engine>),
-    /// On a device, where those of a turn are handed over together.
-    Together(Box<ComputeEngine>),
-}
-
-impl Stepped {
-    fn load(entry: EngineEntry, scene: &Scene) -> Result<Self, FindingsError> {
-        let settings = Settings::defaults();
-        if entry.name == ch06_compute::COMPUTE.name {
-            let engine = ComputeEngine::load(scene, &settings)?;
-            return Ok(Self::Together(Box::new(engine)));
-        }
-        Ok(Self::OneByOne((entry.load)(scene, &settings)?))
-    }
-
-    fn engine(&self) -> &dyn Engine {
-        match self {
-            Self::OneByOne(engine) => engine.as_ref(),
-            Self::Together(engine) => engine.as_ref(),
-        }
-    }
-
-    fn steps(&mut self, dt: f32, count: u32) {
-        match self {
-            Self::OneByOne(engine) => (0..count).for_each(|_| engine.step(dt)),
-            Self::Together(engine) => {
-                let mut left = count;
-                while left > 0 {
-                    let now = left.min(TURN);
-                    engine.steps(dt, now);
-                    left -= now;
-                }
-                engine.finish();
-            }
-        }
-    }
-
-    fn state(&self) -> State {
-        let mut state = State::default();
-        self.engine().read_state(&mut state);
-        state
-    }
-
-    /// The name of what it runs on.
-    fn device(&self) -> String {
-        match self {
-            Self::OneByOne(_) => lab::processor(),
-            Self::Together(engine) => device(engine.info().device),
-        }
-    }
-}
-
-/// A graphics device's name, with a word on one that is none.
-fn device(name: String) -> String {
-    let is_software = Gpu::shared().is_ok_and(|gpu| gpu.is_software);
-    if is_software {
-        format!("{name}, software on the processor")
-    } else {
-        name
-    }
 }
 
 impl Sample {
@@ -369,8 +303,10 @@ mod tests {
     #[test]
     fn steps_on_a_device_are_as_many_as_were_asked_for() {
         let scene = built("pile", Some(5)).expect("a built-in");
-        let mut engine = Stepped::load(ch06_compute::COMPUTE, &scene).expect("a device");
-        let mut one = Stepped::load(ch06_compute::COMPUTE, &scene).expect("a device");
+        let mut engine =
+            Stepped::load(ch06_compute::COMPUTE, &Settings::defaults(), &scene).expect("a device");
+        let mut one =
+            Stepped::load(ch06_compute::COMPUTE, &Settings::defaults(), &scene).expect("a device");
         engine.steps(scene.dt as f32, TURN + 7);
         for _ in 0..TURN + 7 {
             one.steps(scene.dt as f32, 1);

@@ -10,8 +10,9 @@ use crate::laboratory::{self, SCENARIOS, Scenario};
 use crate::lanes_kept::{beside_rapier, long_run, rows_and_colours, sleeping};
 use crate::{
     FindingsError, architecture_method_hardware, balls_on_the_gpu, bounce, broad_phase, chain,
-    columns, draw, friction, integrate, lanes_roofline, left_out, limbs, mass_ratio, ragdoll_run,
-    round_trip, stack, substeps_on_the_gpu, sweeps, table1, table2, tunnelling,
+    columns, draw, friction, integrate, lanes_roofline, left_out, limbs, mass_ratio,
+    microseconds_per_body, ragdoll_run, report_on_engines, round_trip, stack, substeps_on_the_gpu,
+    sweeps, table1, table2, tunnelling,
 };
 
 /// Where a measurement tells how far it is.
@@ -53,7 +54,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 29] = [
+const MEASURED: [(&str, &str, Measure); 31] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -63,6 +64,16 @@ const MEASURED: [(&str, &str, Measure); 29] = [
         "table2",
         "the report's Table 2 again: frame rates of stacked ragdolls",
         table2::product,
+    ),
+    (
+        "report_on_engines",
+        "both of the report's tables on every engine, beside the report's own frames",
+        report_on_engines::product,
+    ),
+    (
+        "microseconds_per_body",
+        "time of a step a body against the number of bodies, on every engine, and where they cross",
+        microseconds_per_body::product,
     ),
     (
         "bounce",

@@ -235,3 +235,38 @@ fn a_failure_map_is_drawn_told_and_kept() {
     let whole = std::fs::read_to_string(&path).expect("it is there");
     assert_eq!(whole, table, "a run says the same every time");
 }
+
+#[test]
+fn the_reports_tables_and_the_cost_of_a_body_are_told_of_every_engine() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let names = ["report_on_engines", "microseconds_per_body"];
+    let ran = chart(&[names[0], names[1], "--quick", "--out", words(folder.path())]);
+    assert!(
+        ran.status.success(),
+        "{}",
+        String::from_utf8_lossy(&ran.stderr)
+    );
+    let read = |file: String| std::fs::read_to_string(folder.path().join(file)).expect("there");
+    for picture in [names[0], "report_on_engines_ragdolls", names[1]] {
+        assert_well_formed(&read(format!("{picture}.svg")));
+    }
+    for name in names {
+        let page = read(format!("{name}.txt"));
+        for engine in [
+            "corrected on objects",
+            "corrected on properties",
+            "own-row on lanes",
+            "coloured on lanes",
+            "own-row on compute",
+            "xpbd",
+        ] {
+            assert!(page.contains(&format!("| {engine} ")), "{engine}: {page}");
+        }
+    }
+    let page = read("report_on_engines.txt".to_owned());
+    assert!(page.contains("| the report "), "{page}");
+    let page = read("microseconds_per_body.txt".to_owned());
+    assert!(page.contains("| own-row on NVIDIA H200 "), "{page}");
+    let table = read("microseconds_per_body.csv".to_owned());
+    assert!(table.contains(",NVIDIA H200,true,1000000,"), "{table}");
+}
