@@ -5,6 +5,7 @@ mod crossings;
 mod pile;
 mod tell;
 
+use std::path::Path;
 use std::time::Instant;
 
 use ch00_scenes::Scene;
@@ -13,6 +14,7 @@ use crate::FindingsError;
 use crate::engines::{KINDS, Kind};
 use crate::kept::Source;
 use crate::lab::{self, Spread};
+use crate::laboratory::store::{Kept, Store};
 use crate::product::{Product, Say};
 use crate::stepped::Stepped;
 use pile::{lies, settled};
@@ -58,6 +60,40 @@ pub struct Sample {
     pub gone: usize,
 }
 
+impl Kept for Sample {
+    const HEADINGS: &'static str =
+        "engine,device,kept,balls,median_us,least_us,largest_us,p99_of_r,gone";
+
+    fn line(&self) -> String {
+        let Spread { median, low, high } = self.micros;
+        // Devices have commas in their names.
+        let device = self.device.replace(',', ";");
+        let (name, kept, balls) = (&self.name, self.kept, self.balls);
+        let (p99, gone) = (self.p99, self.gone);
+        format!("{name},{device},{kept},{balls},{median:?},{low:?},{high:?},{p99:?},{gone} gone")
+    }
+
+    fn read(line: &str) -> Option<Self> {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [name, device, kept, balls, median, low, high, p99, gone] = fields[..] else {
+            return None;
+        };
+        Some(Self {
+            name: name.to_owned(),
+            device: device.to_owned(),
+            kept: kept.parse().ok()?,
+            balls: balls.parse().ok()?,
+            micros: Spread {
+                median: median.parse().ok()?,
+                low: low.parse().ok()?,
+                high: high.parse().ok()?,
+            },
+            p99: p99.parse().ok()?,
+            gone: gone.strip_suffix(" gone")?.parse().ok()?,
+        })
+    }
+}
+
 impl Sample {
     /// Whether its time counts.
     #[must_use]
@@ -66,26 +102,33 @@ impl Sample {
     }
 }
 
-/// Measures, and lays out picture, CSV and page.
+/// Measures the piles that the folder's table lacks, and lays out picture, CSV and page.
 ///
 /// # Errors
-/// [`FindingsError`] where a scene can't be built, or the card's table can't be read.
-pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let mut samples: Vec<Sample> = Vec::new();
+/// [`FindingsError`] where a scene can't be built, or a table can't be read or written.
+pub fn product(quick: bool, folder: &Path, say: Say) -> Result<Product, FindingsError> {
     let counts = if quick { &QUICK[..] } else { &COUNTS[..] };
+    let end = if quick { "_quick" } else { "" };
+    let name = format!("microseconds_per_body_runs{end}.csv");
+    let mut store = Store::<Sample>::open(&folder.join(name))?;
     for &balls in counts {
+        if store.cells.iter().any(|sample| sample.balls == balls) {
+            continue;
+        }
         let scene = settled(balls, if quick { 60 } else { 300 })?;
         say(&format!("{balls} balls lie"));
         let kinds: Vec<&Kind> = KINDS
             .iter()
-            .filter(|kind| expected(&samples, kind, balls) < LONGEST)
+            .filter(|kind| expected(&store.cells, kind, balls) < LONGEST)
             .collect();
-        samples.extend(timed(&kinds, &scene, balls, quick));
-        for sample in samples.iter().filter(|sample| sample.balls == balls) {
+        for sample in timed(&kinds, &scene, balls, quick) {
             let micros = sample.micros.median;
             say(&format!("{balls} balls, {}: {micros:.3} µs", sample.name));
+            store.add(sample)?;
         }
     }
+    let mut samples = store.cells;
+    samples.sort_by_key(|sample| sample.balls);
     samples.extend(card()?);
     Ok(Product {
         charts: vec![tell::chart(&samples).into()],
@@ -94,9 +137,12 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
     })
 }
 
-/// What a step will take, ms, if a ball takes as long as with the last number of balls.
+/// What a step will take, ms, if a ball takes as long as in the next smaller pile that is known.
 fn expected(samples: &[Sample], kind: &Kind, balls: u64) -> f64 {
-    let last = samples.iter().rev().find(|one| one.name == kind.name);
+    let smaller = samples
+        .iter()
+        .filter(|one| one.name == kind.name && one.balls < balls);
+    let last = smaller.max_by_key(|one| one.balls);
     last.map_or(0.0, |one| 1e-3 * one.micros.median * balls as f64)
 }
 

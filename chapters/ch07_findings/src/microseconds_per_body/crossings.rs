@@ -15,7 +15,8 @@ pub struct Crossing {
     pub micros: f64,
 }
 
-/// All crossings of two engines' curves, by the number of balls. Only what passes the gate has a curve.
+/// All crossings of two engines' curves, by the number of balls. Only what passes the gate has a curve, and a
+/// crossing counts only where the curves of the least times cross too: a machine that others use shows others.
 pub fn crossings(samples: &[Sample]) -> Vec<Crossing> {
     let mut names: Vec<&str> = samples.iter().map(|one| one.name.as_str()).collect();
     names.dedup();
@@ -38,7 +39,8 @@ pub fn crossings(samples: &[Sample]) -> Vec<Crossing> {
 fn between(samples: &[Sample], one: &str, other: &str) -> Vec<Crossing> {
     let at = |name: &str, balls: u64| {
         let same = |s: &&Sample| s.name == name && s.balls == balls && s.passes();
-        samples.iter().find(same).map(|s| s.micros.median.ln())
+        let found = samples.iter().find(same)?;
+        Some([found.micros.median.ln(), found.micros.low.ln()])
     };
     let mut counts: Vec<u64> = samples.iter().map(|s| s.balls).collect();
     counts.sort_unstable();
@@ -51,10 +53,12 @@ fn between(samples: &[Sample], one: &str, other: &str) -> Vec<Crossing> {
     let mut found = Vec::new();
     for pair in common.windows(2) {
         let [(n, a, b), (n_next, a_next, b_next)] = [pair[0], pair[1]];
-        let (before, after) = (a - b, a_next - b_next);
-        if before * after >= 0.0 {
+        let crosses = |k: usize| (a[k] - b[k]) * (a_next[k] - b_next[k]) < 0.0;
+        if !(crosses(0) && crosses(1)) {
             continue;
         }
+        let ([a, _], [b, _], [a_next, _], [b_next, _]) = (a, b, a_next, b_next);
+        let (before, after) = (a - b, a_next - b_next);
         let share = before / (before - after);
         let (below, above) = if before < 0.0 {
             (one, other)
@@ -105,6 +109,18 @@ mod tests {
         assert_eq!(found.len(), 1);
         assert_eq!((&*found[0].below, &*found[0].above), ("grows", "falls"));
         assert!((found[0].balls - 100.0).abs() < 1e-9 && (found[0].micros - 10.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_only_the_medians_cross_is_no_crossing() {
+        let mut samples = [
+            sample("falls", 10, 100.0, 0.01),
+            sample("falls", 1000, 1.0, 0.01),
+            sample("grows", 10, 1.0, 0.01),
+            sample("grows", 1000, 100.0, 0.01),
+        ];
+        samples[0].micros.low = 0.5;
+        assert_eq!(crossings(&samples), []);
     }
 
     #[test]

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 use super::crossings::crossings;
 use super::{CARD, GATE, LONGEST, MANY, STEPS, Sample, TURNS, WARM, processor};
 use crate::chart::{Axis, Chart, Series, Style};
-use crate::draw::{grouped, quoted};
+use crate::draw::grouped;
 use crate::engines::KINDS;
+use crate::laboratory::store::Kept;
 use crate::table::{Table, percent, three_digits};
 
 /// The names in the order of the chart.
@@ -52,31 +53,16 @@ pub fn chart(samples: &[Sample]) -> Chart {
             processor()
         ),
         x: Axis::log("balls"),
-        y: Axis::log("time of a step over the number of balls (µs)").lost("overlaps"),
+        y: Axis::log("time of a step over the number of balls (µs)").lost("fails"),
         series,
     }
 }
 
 pub fn csv(samples: &[Sample]) -> String {
-    let mut text =
-        "engine,device,kept,balls,median_us,least_us,largest_us,p99_of_r,gone,passes\n".to_owned();
+    let mut text = format!("{},passes\n", Sample::HEADINGS);
     for one in samples {
-        let spread = one.micros;
         // Writing into a String can't fail.
-        let _ = writeln!(
-            text,
-            "{},{},{},{},{:?},{:?},{:?},{:?},{},{}",
-            quoted(&one.name),
-            quoted(&one.device),
-            one.kept,
-            one.balls,
-            spread.median,
-            spread.low,
-            spread.high,
-            one.p99,
-            one.gone,
-            one.passes()
-        );
+        let _ = writeln!(text, "{},{}", one.line(), one.passes());
     }
     text
 }
@@ -94,7 +80,7 @@ pub fn page(samples: &[Sample]) -> String {
 fn how(samples: &[Sample]) -> String {
     let software = samples
         .iter()
-        .find(|one| !one.kept && one.device != processor());
+        .find(|one| !one.kept && one.device != processor().replace(',', ";"));
     let software = software.map_or(String::new(), |one| {
         format!(" `{}` ran on {}.", one.name, one.device)
     });
@@ -168,7 +154,8 @@ fn crossed(samples: &[Sample]) -> String {
         ]);
     }
     format!(
-        "Where two curves cross, between two numbers that were measured; straight in logarithms:\n\n{}",
+        "Where two curves cross, between two numbers that were measured; straight in logarithms. Only where the \
+         least times of the turns cross too:\n\n{}",
         table.markdown(2)
     )
 }
