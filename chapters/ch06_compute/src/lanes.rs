@@ -10,15 +10,16 @@ pub mod coloured;
 mod engine;
 mod explain;
 pub mod forces;
+pub mod groups;
 pub mod joints;
 pub mod movers;
 pub mod pairs;
 pub mod plan;
+pub mod regions;
 pub mod sleep;
+pub mod sums;
 pub mod threads;
 pub mod work;
-
-use std::ops::Range;
 
 use ch00_scenes::{Body, Scene, State};
 
@@ -27,16 +28,19 @@ use crate::own_row::body::Gathered;
 use crate::rows::Step;
 use crate::rules::{Method, Rules};
 use crate::simd::{Real, Widest};
+use batches::Work;
 use broad_phase::BroadPhase;
 use coloured::Live;
 use forces::{Forces, Spring};
 use joints::Joints;
-use movers::Movers;
-use pairs::Pairs;
+use movers::{Block, Movers};
+use pairs::{Found, Pairs};
 use plan::{Part, Plan};
+use regions::Regions;
 use sleep::Sleep;
+use sums::Sums;
 use threads::Threads;
-use work::{Bounces, PressAgain, Restore, Solve};
+use work::{AnyBounces, Bounces, PressAgain, Restore, Solve};
 
 pub use engine::{ENGINE, LanesEngine, METHODS, OWN_ROW, unsupported};
 
@@ -63,7 +67,9 @@ pub struct Lanes<R: Real = Widest> {
     pub threads: Threads,
     /// Who sleeps, if somebody may.
     pub sleep: Sleep,
-    /// By body: what its pairs did to it in this substep.
+    /// Who lies together.
+    pub regions: Regions,
+    /// By body: what its pairs did to it in this substep. By own rows region by region.
     gathered: Vec<Gathered>,
     /// By body: how it moves by now, while the colours are gone through.
     live: Live,
@@ -90,6 +96,7 @@ impl<R: Real> Lanes<R> {
             threads: Threads::default(),
             gathered: vec![Gathered::default(); bodies.rows()],
             live: Live::default(),
+            regions: Regions::default(),
             sleep: Sleep::of(bodies.rows()),
             joints: Joints::of(scene),
             bodies,
@@ -110,6 +117,7 @@ impl<R: Real> Lanes<R> {
         self.pairs = Pairs::default();
         self.joints.forget();
         self.broad.forget();
+        self.regions.forget();
     }
 
     /// Adds a body at the end.
@@ -125,6 +133,7 @@ impl<R: Real> Lanes<R> {
             self.wake(near.into_iter());
         }
         self.broad.forget();
+        self.regions.forget();
     }
 
     /// Removes a body that no joint and no force holds; those after it move up.
@@ -136,6 +145,7 @@ impl<R: Real> Lanes<R> {
         self.gathered.pop();
         self.pairs.remove_body(row);
         self.broad.remove_body(row);
+        self.regions.forget();
         self.forces.remove_body(row);
         self.joints.remove_body(row);
     }
@@ -211,62 +221,72 @@ impl<R: Real> Lanes<R> {
 
     /// Narrow phase over what the broad phase found.
     fn meet(&mut self, dt: f32) {
+        if self.regions.find(&self.bodies) {
+            self.gathered.fill(Gathered::default());
+        }
         self.last_pairs.recall(self.sleep.woken());
-        let (found, last) = (&self.broad.pairs, &self.last_pairs);
-        let least = self.least();
-        let way = (self.rules.method, self.plan);
-        pairs::meet(found, &self.bodies, dt, last, way, &mut self.pairs, least);
+        let found = Found {
+            pairs: &self.broad.pairs,
+            bodies: &self.bodies,
+            dt,
+            method: self.rules.method,
+            plan: self.plan,
+        };
+        let (last, least) = (&self.last_pairs, self.least());
+        pairs::meet(&found, last, &mut self.regions, &mut self.pairs, least);
     }
 
     // ANCHOR: start
     /// What held the bodies in the last step, where their points are now; then the first kick.
     fn start(&mut self, step: &Step) {
-        let bodies = &self.bodies;
-        let least = self.least_in_lanes();
-        let work = PressAgain { bodies, h: step.h };
-        self.pairs.batches.each(least, &work);
-        self.gather();
-        let least = self.least_in_lanes();
-        let gathered = &self.gathered;
-        Movers::of(&mut self.bodies, least).each::<R>(|block| block.start(gathered));
+        match self.rules.method {
+            Method::OwnRow => self.gather(|bodies| PressAgain { bodies, h: step.h }),
+            Method::Coloured => self.press_colours(step),
+        }
+        self.each_body(|sums, block| block.start(sums));
         self.kick(step);
     }
     // ANCHOR_END: start
 
     /// Every body's mass is shared among as many pairs as count.
     fn share(&mut self) {
+        let sums = Sums::at(&self.gathered, self.regions.spots());
         for run in self.bodies.runs().to_vec() {
-            let sums = &self.gathered[run.clone()];
-            movers::share(&mut self.bodies.motion[run], sums);
+            movers::share(&mut self.bodies.motion[run.clone()], run.start, &sums);
         }
     }
 
     /// Every pair, limit and loop writes its own impulses, all from the same velocities.
     fn solve_own_rows(&mut self, step: &Step) {
-        let bodies = &self.bodies;
-        let least = self.least_in_lanes();
-        self.pairs.batches.each(least, &Solve { bodies, step });
         self.joints.solve_rows(&self.bodies, step.h);
-        self.gather();
+        self.gather(|bodies| Solve { bodies, step });
     }
 
-    /// Every body sums what its pairs did to it, in the order of their IDs; then its limits and loops.
-    fn gather(&mut self) {
-        let (least, joints) = (self.least(), &self.joints);
-        let whole = self.rules.method == Method::Coloured;
-        let runs = self.bodies.runs();
-        gather(&self.pairs, &mut self.gathered, runs, least, |row, sum| {
-            joints.gather(row, sum);
-            if whole {
-                sum.share_among_limits();
-            }
-        });
+    /// Does the work with all pairs, and every body sums what they did to it; then its limits and loops.
+    fn gather<'s, W: Work<R>>(&'s mut self, work: impl FnOnce(&'s Bodies) -> W) {
+        let (least, joints, runs) = (self.least(), &self.joints, self.bodies.runs());
+        let (work, sums) = (work(&self.bodies), &mut self.gathered);
+        let more = |row: usize, sum: &mut Gathered| joints.gather(row, sum);
+        self.pairs
+            .each_and_gather(&work, (&self.regions, runs), least, sums, more);
     }
 
-    /// What its pairs did to each body.
-    fn gather_pairs(&mut self) {
+    /// The same without limits and loops.
+    fn gather_pairs<'s, W: Work<R>>(&'s mut self, work: impl FnOnce(&'s Bodies) -> W) {
         let (least, runs) = (self.least(), self.bodies.runs());
-        gather(&self.pairs, &mut self.gathered, runs, least, |_, _| {});
+        let (work, sums) = (work(&self.bodies), &mut self.gathered);
+        self.pairs
+            .each_and_gather(&work, (&self.regions, runs), least, sums, |_, _| {});
+    }
+
+    /// Does something with all bodies, and with what they have gathered.
+    fn each_body(&mut self, work: impl Fn(&Sums<'_>, &mut Block<'_>) + Sync) {
+        let least = self.least_in_lanes();
+        let sums = match self.rules.method {
+            Method::OwnRow => Sums::at(&self.gathered, self.regions.spots()),
+            Method::Coloured => Sums::live(&self.gathered, &self.live),
+        };
+        Movers::of(&mut self.bodies, least).each::<R>(|block| work(&sums, block));
     }
 
     /// Every body takes up what pulls and holds it.
@@ -280,10 +300,7 @@ impl<R: Real> Lanes<R> {
 
     /// Every body puts what holds it now in the place of what it started the substep with.
     fn exchange(&mut self) {
-        let least = self.least_in_lanes();
-        let gathered = &self.gathered;
-        let mut movers = Movers::of(&mut self.bodies, least);
-        movers.each::<R>(|block| block.exchange::<R>(gathered));
+        self.each_body(|sums, block| block.exchange::<R>(sums));
     }
 
     /// Whether no joints hold the bodies and nothing but gravity pulls.
@@ -296,20 +313,21 @@ impl<R: Real> Lanes<R> {
 
     /// What bodies do in a substep, in one pass.
     fn move_at_once(&mut self, kicks: bool, step: &Step) {
-        let least = self.least_in_lanes();
-        let gathered = &self.gathered;
-        let mut movers = Movers::of(&mut self.bodies, least);
-        movers.each::<R>(|block| block.substep::<R>(gathered, kicks, step));
+        self.each_body(|sums, block| block.substep::<R>(sums, kicks, step));
     }
 
     // ANCHOR: advance
     /// Every body moves.
     fn advance(&mut self, step: &Step) {
-        self.joints.note_floating(&self.gathered);
         let least = self.least_in_lanes();
-        let (gathered, joints) = (&self.gathered, &self.joints);
+        let sums = match self.rules.method {
+            Method::OwnRow => Sums::at(&self.gathered, self.regions.spots()),
+            Method::Coloured => Sums::of(&self.gathered),
+        };
+        self.joints.note_floating(&sums);
+        let joints = &self.joints;
         let mut movers = Movers::of(&mut self.bodies, least);
-        movers.each::<R>(|block| block.advance::<R>(gathered, joints, step));
+        movers.each::<R>(|block| block.advance::<R>(&sums, joints, step));
         self.forces.turn_pivots(&mut self.bodies, step);
     }
     // ANCHOR_END: advance
@@ -317,9 +335,8 @@ impl<R: Real> Lanes<R> {
     // ANCHOR: bounce
     /// Restitution, once at the end of a step: a body's mass is now shared among the pairs that bounce.
     fn bounce(&mut self, step: &Step) {
-        let least = self.least_in_lanes();
-        let bounces = Bounces::of(step);
-        self.pairs.batches.each(least, &bounces);
+        let bounces = AnyBounces::of(step);
+        self.pairs.sweep(false, self.least(), |_| &bounces);
         if !bounces.any() {
             return;
         }
@@ -327,37 +344,18 @@ impl<R: Real> Lanes<R> {
             self.restore_colours(step);
             return;
         }
-        self.gather_pairs();
+        self.gather_pairs(|_| Bounces { step });
         self.share();
-        let bodies = &self.bodies;
-        self.pairs.batches.each(least, &Restore { bodies, step });
-        self.gather_pairs();
-        let least = self.least_in_lanes();
-        let gathered = &self.gathered;
-        let mut movers = Movers::of(&mut self.bodies, least);
-        movers.each::<R>(|block| block.take_up::<R>(gathered));
+        self.gather_pairs(|bodies| Restore { bodies, step });
+        self.take_up();
     }
     // ANCHOR_END: bounce
-}
 
-// ANCHOR: gather
-/// Every body sums what its pairs did to it, in the order of their IDs; then what `more` adds.
-fn gather<R: Real>(
-    pairs: &Pairs<R>,
-    sums: &mut [Gathered],
-    runs: &[Range<usize>],
-    least: usize,
-    more: impl Fn(usize, &mut Gathered) + Sync,
-) {
-    threads::each_in(sums, runs, least, |row, sum| {
-        *sum = Gathered::default();
-        for &entry in pairs.of(row) {
-            sum.add(&pairs.batches.press[(entry >> 1) as usize], entry & 1 == 1);
-        }
-        more(row, sum);
-    });
+    /// Every body takes up what its pairs gave it.
+    fn take_up(&mut self) {
+        self.each_body(|sums, block| block.take_up::<R>(sums));
+    }
 }
-// ANCHOR_END: gather
 
 /// The pairs of bodies that joints connect, the smaller row first, in order.
 fn ignored(scene: &Scene) -> Vec<(usize, usize)> {

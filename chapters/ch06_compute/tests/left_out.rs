@@ -66,7 +66,7 @@ fn pairs_without_friction_have_the_bits_of_those_that_compute_it() {
         ("stack", Some(5)),
     ] {
         let lanes = has_the_same_bits(&smooth(open(name, count), 1), Part::Friction);
-        let [rough, smooth] = lanes.pairs.batches.counts();
+        let [rough, smooth] = lanes.pairs.counts();
         assert_eq!(rough.iter().sum::<usize>(), 0, "{name}");
         assert!(smooth.iter().sum::<usize>() > 0, "{name}");
     }
@@ -76,7 +76,7 @@ fn pairs_without_friction_have_the_bits_of_those_that_compute_it() {
 fn where_some_pairs_have_friction_and_others_none_each_goes_its_way() {
     for (name, count) in [("pile", Some(200)), ("mixed", Some(60))] {
         let lanes = has_the_same_bits(&smooth(open(name, count), 3), Part::Friction);
-        for kind in lanes.pairs.batches.counts() {
+        for kind in lanes.pairs.counts() {
             assert!(kind.iter().sum::<usize>() > 0, "{name}");
         }
     }

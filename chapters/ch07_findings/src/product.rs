@@ -10,7 +10,7 @@ use crate::laboratory::{self, SCENARIOS, Scenario};
 use crate::lanes_kept::{beside_rapier, long_run, rows_and_colours, sleeping};
 use crate::{
     FindingsError, architecture_method_hardware, balls_on_the_gpu, bounce, broad_phase, chain,
-    columns, draw, friction, integrate, lanes_roofline, left_out, limbs, mass_ratio,
+    columns, draw, friction, integrate, lanes_growth, lanes_roofline, left_out, limbs, mass_ratio,
     microseconds_per_body, ragdoll_run, report_on_engines, round_trip, stack, substeps_on_the_gpu,
     sweeps, table1, table2, tunnelling,
 };
@@ -55,7 +55,7 @@ enum Make {
 type Measure = fn(bool, Say) -> Result<Product, FindingsError>;
 
 /// The charts that take measuring: name, in a few words, how.
-const MEASURED: [(&str, &str, Measure); 30] = [
+const MEASURED: [(&str, &str, Measure); 31] = [
     (
         "table1",
         "the report's Table 1 again: frame rates of bouncing balls",
@@ -205,6 +205,11 @@ const MEASURED: [(&str, &str, Measure); 30] = [
         "lanes_roofline",
         "what a thread can do, and how near to it lanes come, from a table kept in the book",
         lanes_roofline::product,
+    ),
+    (
+        "lanes_growth",
+        "how a step of lanes grows with the bodies, and what a second thread brings, from a table kept in the book",
+        lanes_growth::product,
     ),
 ];
 

@@ -1,10 +1,11 @@
 //! The passes of the substeps, one by one: what each computes, what it touches, and how long it takes.
 
 use ch06_compute::bodies::Bodies;
+use ch06_compute::lanes::Lanes;
 use ch06_compute::lanes::batches::Batch;
 use ch06_compute::lanes::movers::Movers;
+use ch06_compute::lanes::sums::Sums;
 use ch06_compute::lanes::work::{PressAgain, Solve};
-use ch06_compute::lanes::{Lanes, threads};
 use ch06_compute::own_row::body::Gathered;
 use ch06_compute::own_row::contact::Impulses;
 use ch06_compute::own_row::limits::Bounds;
@@ -38,7 +39,7 @@ pub fn substeps<R: Real>(lanes: &mut Lanes<R>, dt: f32, mut done: impl FnMut(&'s
             bodies,
             step: &step,
         };
-        lanes.pairs.batches.each(ALL, &solve);
+        lanes.pairs.each(ALL, &solve);
         done("pairs");
         if !is_plain {
             lanes.joints.solve_rows(&lanes.bodies, step.h);
@@ -47,6 +48,7 @@ pub fn substeps<R: Real>(lanes: &mut Lanes<R>, dt: f32, mut done: impl FnMut(&'s
         gather(lanes, &mut sums);
         done("gather");
         let mut movers = Movers::of(&mut lanes.bodies, ALL);
+        let sums = Sums::at(&sums, lanes.regions.spots());
         if is_plain {
             movers.each::<R>(|block| block.substep::<R>(&sums, kicks, &step));
             done("bodies");
@@ -70,9 +72,11 @@ pub fn substeps<R: Real>(lanes: &mut Lanes<R>, dt: f32, mut done: impl FnMut(&'s
 /// What held the bodies in the last step.
 fn start<R: Real>(lanes: &mut Lanes<R>, sums: &mut [Gathered], h: f32) {
     let bodies = &lanes.bodies;
-    lanes.pairs.batches.each(ALL, &PressAgain { bodies, h });
+    lanes.pairs.each(ALL, &PressAgain { bodies, h });
     gather(lanes, sums);
-    for (row, sum) in sums.iter().enumerate() {
+    let sums = Sums::at(sums, lanes.regions.spots());
+    for row in 0..lanes.bodies.rows() {
+        let sum = sums.row(row);
         lanes.bodies.held[row] = sum.stays;
         lanes.bodies.motion[row].shares = sum.counts.max(1.0);
     }
@@ -80,14 +84,9 @@ fn start<R: Real>(lanes: &mut Lanes<R>, sums: &mut [Gathered], h: f32) {
 
 /// Every body sums what its pairs, limits and loops did to it.
 fn gather<R: Real>(lanes: &Lanes<R>, sums: &mut [Gathered]) {
-    threads::each(sums, ALL, |row, sum| {
-        *sum = Gathered::default();
-        for &entry in lanes.pairs.of(row) {
-            let press = &lanes.pairs.batches.press[(entry >> 1) as usize];
-            sum.add(press, entry & 1 == 1);
-        }
-        lanes.joints.gather(row, sum);
-    });
+    let runs = lanes.bodies.runs();
+    let more = |row: usize, sum: &mut Gathered| lanes.joints.gather(row, sum);
+    lanes.pairs.gather((&lanes.regions, runs), ALL, sums, more);
 }
 
 /// Additions and multiplications of [`Gathered::add`], which isn't written over a [`Real`]: 24 of either.

@@ -11,8 +11,9 @@ use crate::own_row::contact::{Contact, Impulses, Surface};
 use crate::rows::{Impulse, Manifold, Material, Press};
 use crate::simd::{MOST_LANES, Real};
 use kind::Frictionless;
-pub use kind::{Kind, Work};
-use set::{SHAPES, Set, Shapes};
+pub use kind::{Kind, Visit, Work};
+pub use set::SHAPES;
+use set::Set;
 
 /// How many ways a normal turns.
 const TURNS: usize = 4;
@@ -21,7 +22,7 @@ const TURNS: usize = 4;
 const TWO_BALLS: u32 = 0;
 
 /// The kind of a ball and a box.
-pub(super) const BALL_AND_BOX: u32 = 1;
+const BALL_AND_BOX: u32 = 1;
 
 /// Two balls, a ball on a box that stands, and the others by their points: first those that rub, then those
 /// without friction.
@@ -46,17 +47,17 @@ pub struct Batch<R: Real, const P: usize> {
     pub impulse: Impulses<R, P>,
     /// How fast each point came this step, m/s, negative; 0 where it didn't.
     pub approach: [R; P],
+    /// 1 where what they pressed in the last visit was an impact; for the method of colours.
+    pub impact: R,
 }
 // ANCHOR_END: batch
 
-/// All batches of a step.
+/// All batches of some pairs.
 #[derive(Clone, Debug)]
 pub struct Batches<R: Real> {
     rough: Set<R>,
     smooth: Set<R>,
-    /// What bodies gather: a row a lane, batch by batch.
-    pub press: Vec<Press>,
-    /// By pair: its row in `press`.
+    /// By pair: which lane it is, counted batch by batch. What bodies gather has a row a lane.
     pub place: Vec<u32>,
     /// By colour: its batches.
     parts: Vec<Parts>,
@@ -67,7 +68,6 @@ impl<R: Real> Default for Batches<R> {
         Self {
             rough: Set::default(),
             smooth: Set::default(),
-            press: Vec::new(),
             place: Vec::new(),
             parts: Vec::new(),
         }
@@ -81,8 +81,8 @@ pub struct Pair<'p> {
     pub bodies: (u32, u32),
     /// Whether they move.
     pub moves: [bool; 2],
-    /// Whether it is a ball on a box that stands.
-    pub stands: bool,
+    /// What it has in common with others.
+    pub sort: Sort,
     /// Its colour.
     pub colour: u8,
     /// Where they touch.
@@ -93,6 +93,39 @@ pub struct Pair<'p> {
     pub impulse: &'p Impulse,
 }
 
+/// What pairs of a batch have in common, but for their colour.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sort {
+    /// Two balls, a ball on a box that stands, or another pair by its points; and whether it rubs.
+    class: u8,
+    /// How the normal turns.
+    turns: u8,
+}
+
+impl Sort {
+    /// That of a pair of which one body may be a box that nothing moves.
+    #[must_use]
+    pub fn of(
+        manifold: &Manifold,
+        material: &Material,
+        plan: Plan,
+        stands: impl FnOnce() -> bool,
+    ) -> Self {
+        let shape = match manifold.kind {
+            _ if plan.keeps(Part::Shapes) => 1 + manifold.points as usize,
+            TWO_BALLS => 0,
+            BALL_AND_BOX if stands() => 1,
+            _ => 1 + manifold.points as usize,
+        };
+        let is_smooth = material.friction == 0.0 && material.static_friction == 0.0;
+        let is_smooth = is_smooth && !plan.keeps(Part::Friction);
+        Self {
+            class: (shape + SHAPES * usize::from(is_smooth)) as u8,
+            turns: manifold.turns as u8,
+        }
+    }
+}
+
 /// What sorts of pairs there are: by class, then by their colours, then by how their normals turn.
 #[derive(Clone, Copy, Debug)]
 pub struct Sorts {
@@ -100,8 +133,6 @@ pub struct Sorts {
     pub colours: usize,
     /// The colour whose pairs go one by one, if there is one.
     pub alone: Option<usize>,
-    /// What pairs that don't need it leave out.
-    pub plan: Plan,
 }
 
 impl Sorts {
@@ -112,22 +143,8 @@ impl Sorts {
 
     /// Which pairs go together.
     fn of(self, pair: &Pair<'_>) -> usize {
-        let manifold = pair.manifold;
-        let shape = match manifold.kind {
-            _ if self.plan.keeps(Part::Shapes) => 1 + manifold.points as usize,
-            TWO_BALLS => 0,
-            _ if pair.stands => 1,
-            _ => 1 + manifold.points as usize,
-        };
-        let Material {
-            friction,
-            static_friction,
-            ..
-        } = *pair.material;
-        let is_smooth = friction == 0.0 && static_friction == 0.0;
-        let is_smooth = is_smooth && !self.plan.keeps(Part::Friction);
-        let class = shape + SHAPES * usize::from(is_smooth);
-        self.first(class, usize::from(pair.colour)) + manifold.turns as usize
+        let class = usize::from(pair.sort.class);
+        self.first(class, usize::from(pair.colour)) + usize::from(pair.sort.turns)
     }
 
     /// The first sort of a class and a colour.
@@ -176,7 +193,6 @@ impl<R: Real> Batches<R> {
         }
         // ANCHOR_END: sort
         self.part(sorts, &firsts);
-        self.press.resize(rows, Press::default());
         let of =
             |class: usize| &order[firsts[sorts.first(class, 0)]..firsts[sorts.first(class + 1, 0)]];
         self.rough.fill(std::array::from_fn(of), least, &pair);
@@ -209,36 +225,28 @@ impl<R: Real> Batches<R> {
         self.place.len()
     }
 
+    /// How many lanes there are: so many rows bodies gather from.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        (self.rough.batches() + self.smooth.batches()) * R::LANES
+    }
+
     // ANCHOR: each
     /// Does something with every batch, on as many threads as there are. At least `least` batches go
-    /// together: fewer aren't worth another thread.
-    pub fn each(&mut self, least: usize, work: &impl Work<R>) {
-        let (rough, smooth) = self.sets();
-        self.each_in(rough, smooth, least, work);
-    }
-
-    /// The same with the batches of one colour.
-    pub fn each_of(&mut self, colour: usize, least: usize, work: &impl Work<R>) {
-        let of = |first: usize| {
-            let parts = &self.parts[colour];
-            std::array::from_fn(|shape| parts[first + shape].clone())
-        };
-        self.each_in(of(0), of(SHAPES), least, work);
-    }
-
-    fn each_in(&mut self, rough: Shapes, smooth: Shapes, least: usize, work: &impl Work<R>) {
-        let rows = self.rough.batches() * R::LANES;
-        let (press, others) = self.press.split_at_mut(rows);
-        self.rough.each_in(rough, press, least, work);
-        let work = &Frictionless(work);
-        self.smooth.each_in(smooth, others, least, work);
+    /// together: fewer aren't worth another thread. `press` is what bodies gather.
+    pub fn each(&mut self, press: &mut [Press], least: usize, work: &impl Work<R>) {
+        let (press, others) = press.split_at_mut(self.rough.batches() * R::LANES);
+        self.rough.each(press, least, work);
+        self.smooth.each(others, least, &Frictionless(work));
     }
     // ANCHOR_END: each
 
-    /// Where all batches are.
-    fn sets(&self) -> (Shapes, Shapes) {
-        let all = |set: &Set<R>| set.lengths().map(|length| 0..length);
-        (all(&self.rough), all(&self.smooth))
+    /// Visits the batches of a colour.
+    pub fn visit(&mut self, colour: usize, least: usize, work: &impl Visit<R>) {
+        let parts = &self.parts[colour];
+        let of = |first: usize| std::array::from_fn(|shape| parts[first + shape].clone());
+        self.rough.visit(of(0), least, work);
+        self.smooth.visit(of(SHAPES), least, &Frictionless(work));
     }
 
     /// How many batches there are of two balls, of a ball and a box that stands, and of others by their points; with
@@ -248,10 +256,10 @@ impl<R: Real> Batches<R> {
         [&self.rough, &self.smooth].map(Set::lengths)
     }
 
-    /// Bytes of all batches, and of what bodies gather.
+    /// Bytes of all batches.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.rough.bytes() + self.smooth.bytes() + size_of_val(&self.press[..])
+        self.rough.bytes() + self.smooth.bytes()
     }
 
     /// What a pair has pressed by now.

@@ -9,64 +9,66 @@ mod colours;
 mod live;
 mod sweep;
 
-pub use colours::{Colours, MOST_COLOURS};
+pub use colours::{Colours, MOST_COLOURS, STILL};
 pub use live::Live;
 
 use super::Lanes;
-use super::movers::Movers;
+use super::threads;
 use crate::rows::Step;
 use crate::simd::Real;
-use sweep::{Restore, Sweep};
+use sweep::{PressAgain, Restore, Sweep};
 
 impl<R: Real> Lanes<R> {
+    /// What held the bodies in the last step, where their points are now.
+    pub(super) fn press_colours(&mut self, step: &Step) {
+        let least = self.least();
+        self.live.fill(&self.bodies, least);
+        let (bodies, live) = (&self.bodies, &self.live);
+        let again = |_| PressAgain {
+            bodies,
+            live,
+            h: step.h,
+        };
+        self.pairs.sweep(false, least, again);
+        self.gather_live();
+    }
+
     // ANCHOR: solve_colours
     /// The pairs go through their colours, and where [`Rules::back`](crate::rules::Rules::back) says so back
     /// again; then limits and loops write their own impulses, from what that made of the bodies.
     pub(super) fn solve_colours(&mut self, step: &Step) {
         let least = self.least();
         self.live.fill(&self.bodies, least);
-        let colours = self.pairs.batches.colours();
-        // Solved twice in a row, the last colour would find nothing to mend.
-        let last = colours - 1;
-        for colour in 0..colours {
-            self.sweep(colour, [false, !self.rules.back || colour == last], step);
-        }
-        if self.rules.back {
-            for colour in (0..last).rev() {
-                self.sweep(colour, [true, true], step);
-            }
-        }
-        self.gather();
+        let (bodies, live) = (&self.bodies, &self.live);
+        let visit = |[again, ends]: [bool; 2]| Sweep {
+            bodies,
+            live,
+            step,
+            again,
+            ends,
+        };
+        self.pairs.sweep(self.rules.back, least, visit);
+        self.gather_live();
         if !self.joints.is_empty() {
             self.exchange();
             for (held, sum) in self.bodies.held.iter_mut().zip(&self.gathered) {
                 *held = sum.held;
             }
             self.joints.solve_rows(&self.bodies, step.h);
-            self.gather();
+            self.gather_live();
         }
-    }
-
-    fn sweep(&mut self, colour: usize, [again, ends]: [bool; 2], step: &Step) {
-        let least = self.least_of(colour);
-        let sweep = Sweep {
-            bodies: &self.bodies,
-            live: &self.live,
-            step,
-            again,
-            ends,
-        };
-        self.pairs.batches.each_of(colour, least, &sweep);
     }
     // ANCHOR_END: solve_colours
 
-    /// The fewest batches of a colour that go together: those without a colour go one after the other.
-    fn least_of(&self, colour: usize) -> usize {
-        if self.pairs.colours.alone() == Some(colour) {
-            usize::MAX
-        } else {
-            self.least_in_lanes()
-        }
+    /// Every body takes what its pairs gave it; then its limits and loops.
+    fn gather_live(&mut self) {
+        let (least, runs) = (self.least(), self.bodies.runs());
+        let (live, joints) = (&self.live, &self.joints);
+        threads::each_in(&mut self.gathered, runs, least, |row, sum| {
+            *sum = live.gathered(row);
+            joints.gather(row, sum);
+            sum.share_among_limits();
+        });
     }
 
     // ANCHOR: restore_colours
@@ -74,20 +76,14 @@ impl<R: Real> Lanes<R> {
     pub(super) fn restore_colours(&mut self, step: &Step) {
         let least = self.least();
         self.live.fill(&self.bodies, least);
-        for colour in 0..self.pairs.batches.colours() {
-            let least = self.least_of(colour);
-            let restore = Restore {
-                bodies: &self.bodies,
-                live: &self.live,
-                step,
-            };
-            self.pairs.batches.each_of(colour, least, &restore);
-        }
-        self.gather_pairs();
-        let least = self.least_in_lanes();
-        let gathered = &self.gathered;
-        let mut movers = Movers::of(&mut self.bodies, least);
-        movers.each::<R>(|block| block.take_up::<R>(gathered));
+        let (bodies, live) = (&self.bodies, &self.live);
+        let restore = |_| Restore { bodies, live, step };
+        self.pairs.sweep(false, least, restore);
+        let (least, runs) = (self.least(), self.bodies.runs());
+        threads::each_in(&mut self.gathered, runs, least, |row, sum| {
+            *sum = live.gathered(row);
+        });
+        self.take_up();
     }
     // ANCHOR_END: restore_colours
 }

@@ -157,8 +157,8 @@ impl LanesEngine {
             RowTable {
                 name: "press",
                 about: "What bodies gather: a row a pair, batch by batch; lanes that are left over are empty.",
-                rows: pairs.batches.press.len(),
-                columns: vec![RowColumn::of(&pairs.batches.press)],
+                rows: pairs.press.len(),
+                columns: vec![RowColumn::of(&pairs.press)],
             },
         ]
     }
@@ -246,7 +246,7 @@ impl Engine for LanesEngine {
         Counters {
             pairs: self.lanes.broad.pairs.len(),
             contacts: points.sum(),
-            overflow: self.lanes.pairs.colours.without(),
+            overflow: self.lanes.pairs.without_colour(),
             asleep: self.lanes.sleep.asleep(),
         }
     }

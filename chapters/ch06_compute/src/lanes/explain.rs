@@ -64,7 +64,6 @@ pub fn explain(scene: &Scene, lanes: &Lanes) -> String {
 
 /// What the colours of the last step are.
 fn explain_colours(lanes: &Lanes) -> String {
-    let colours = &lanes.pairs.colours;
     let way = if lanes.rules.back {
         "forth and back in each substep, so that bodies with several contact points come to rest"
     } else {
@@ -72,15 +71,15 @@ fn explain_colours(lanes: &Lanes) -> String {
     };
     format!(
         "{} colour(s) for {} pairs, gone through {way}; {} contacts have no colour and are solved one by one\n",
-        colours.count() - usize::from(colours.alone().is_some()),
+        lanes.pairs.colours(),
         lanes.pairs.bodies.len(),
-        colours.without()
+        lanes.pairs.without_colour()
     )
 }
 
 /// What is left out where nothing needs it.
 fn explain_plan(lanes: &Lanes) -> String {
-    let [rough, smooth] = lanes.pairs.batches.counts();
+    let [rough, smooth] = lanes.pairs.counts();
     let all = |sets: &[usize]| sets.iter().sum::<usize>();
     let joints = if lanes.is_plain() {
         "no joint, nothing pulls but gravity: bodies move in one pass a substep"

@@ -2,6 +2,7 @@
 
 use ch00_scenes::Scene;
 
+use super::sums::Sums;
 use crate::bodies::Bodies;
 use crate::own_row::body::Gathered;
 use crate::own_row::limits::Limits;
@@ -80,6 +81,7 @@ impl<R: Real> Joints<R> {
     // ANCHOR_END: solve_rows
 
     /// Adds what limits and loops did to a body to what its pairs did.
+    #[inline]
     pub fn gather(&self, row: usize, sum: &mut Gathered) {
         if self.trees.is_empty() && self.trees.loops.is_empty() {
             return;
@@ -122,8 +124,8 @@ impl<R: Real> Joints<R> {
 
     // ANCHOR: floats
     /// Notes which trees nothing holds up: nothing touches any of their bodies, and none hangs on the world.
-    pub fn note_floating(&mut self, gathered: &[Gathered]) {
-        let free = |row: usize| gathered[row].touches == 0.0;
+    pub fn note_floating(&mut self, sums: &Sums<'_>) {
+        let free = |row: usize| sums.row(row).touches == 0.0;
         self.floating.clear();
         for tree in &self.trees.trees {
             let nodes = &self.trees.nodes[tree.clone()];
@@ -135,10 +137,10 @@ impl<R: Real> Joints<R> {
     /// Whether nothing holds a body up: nothing touches it, nor any that hangs together with it, and none of
     /// them hangs on the world.
     #[must_use]
-    pub fn floats(&self, row: usize, gathered: &[Gathered]) -> bool {
+    pub fn floats(&self, row: usize, sums: &Sums<'_>) -> bool {
         match self.tree_of.get(row) {
             Some(&tree) if tree != ALONE => self.floating[tree as usize],
-            _ => gathered[row].touches == 0.0,
+            _ => sums.row(row).touches == 0.0,
         }
     }
     // ANCHOR_END: floats

@@ -11,6 +11,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterato
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
 use super::joints::Joints;
+use super::sums::Sums;
 use crate::bodies::Bodies;
 use crate::own_row::body::{Gathered, Holding, Moving, Pull, Pulling, holding};
 use crate::rows::{Held, Motion, Place, Push, Seen, Solid, Spin, Step};
@@ -83,21 +84,26 @@ impl<'b> Movers<'b> {
     }
 }
 
-/// Notes among how many pairs each body's mass is shared.
-pub fn share(motion: &mut [Motion], sums: &[Gathered]) {
-    for (motion, sum) in motion.iter_mut().zip(sums) {
-        motion.shares = sum.counts.max(1.0);
+/// Notes among how many pairs each body's mass is shared; `motion` begins with the row `first`.
+pub fn share(motion: &mut [Motion], first: usize, sums: &Sums<'_>) {
+    for (row, motion) in (first..).zip(motion) {
+        motion.shares = sums.row(row).counts.max(1.0);
     }
 }
 
 impl Block<'_> {
     /// Takes over what the pairs of a new step give.
-    pub fn start(&mut self, gathered: &[Gathered]) {
-        let sums = &gathered[self.first..self.first + self.place.len()];
-        for (held, sum) in self.held.iter_mut().zip(sums) {
-            *held = sum.stays;
+    pub fn start(&mut self, sums: &Sums<'_>) {
+        for (row, held) in (self.first..).zip(&mut *self.held) {
+            *held = sums.row(row).stays;
         }
-        share(self.motion, sums);
+        share(self.motion, self.first, sums);
+    }
+
+    /// What the body of a lane has gathered; lanes that are left over have the last one's.
+    #[inline(always)]
+    fn gathered<'s>(&self, sums: &Sums<'s>, lane: usize) -> &'s Gathered {
+        sums.row(self.first + lane.min(self.place.len() - 1))
     }
 
     /// Starts a substep: what pulls and holds each body.
@@ -130,16 +136,15 @@ impl Block<'_> {
     // ANCHOR: substep
     /// All that bodies do in a substep which no joints hold and nothing but gravity pulls: they exchange what
     /// holds them, move, and are kicked into the next one.
-    pub fn substep<R: Real>(&mut self, gathered: &[Gathered], kicks: bool, step: &Step) {
-        let sums = &gathered[self.first..self.first + self.place.len()];
+    pub fn substep<R: Real>(&mut self, sums: &Sums<'_>, kicks: bool, step: &Step) {
         let mut moving = self.load::<R>();
         let push = self.exchange_with(&mut moving, sums);
-        let alone = R::of(|lane| sums[lane.min(sums.len() - 1)].touches);
+        let alone = R::of(|lane| self.gathered(sums, lane).touches);
         moving.advance(push, alone.same(R::splat(0.0)), step);
-        share(self.motion, sums);
+        share(self.motion, self.first, sums);
         if kicks {
             self.note_before(&moving);
-            let held = holding(|lane| sums[lane.min(sums.len() - 1)].stays);
+            let held = holding(|lane| self.gathered(sums, lane).stays);
             moving.kick(&held, &Pulling::default(), step);
         }
         self.store(&moving);
@@ -148,28 +153,26 @@ impl Block<'_> {
 
     /// Puts what holds each body now in the place of what it started the substep with, and says how it is
     /// pushed.
-    pub fn exchange<R: Real>(&mut self, gathered: &[Gathered]) {
-        let sums = &gathered[self.first..self.first + self.place.len()];
+    pub fn exchange<R: Real>(&mut self, sums: &Sums<'_>) {
         let mut moving = self.load::<R>();
         self.exchange_with(&mut moving, sums);
         self.store(&moving);
     }
 
     /// Each body takes up what its pairs gave it, without giving back.
-    pub fn take_up<R: Real>(&mut self, gathered: &[Gathered]) {
-        let sums = &gathered[self.first..self.first + self.place.len()];
+    pub fn take_up<R: Real>(&mut self, sums: &Sums<'_>) {
         let mut moving = self.load::<R>();
-        let new = holding(|lane| sums[lane.min(sums.len() - 1)].held);
+        let new = holding(|lane| self.gathered(sums, lane).held);
         moving.exchange(&Holding::default(), &new);
         self.store(&moving);
     }
 
     /// Each body moves.
-    pub fn advance<R: Real>(&mut self, gathered: &[Gathered], joints: &Joints<R>, step: &Step) {
+    pub fn advance<R: Real>(&mut self, sums: &Sums<'_>, joints: &Joints<R>, step: &Step) {
         let mut moving = self.load::<R>();
         let last = self.place.len() - 1;
         let first = self.first;
-        let alone = |lane: usize| joints.floats(first + lane.min(last), gathered);
+        let alone = |lane: usize| joints.floats(first + lane.min(last), sums);
         let alone = R::of(|lane| f32::from(u8::from(alone(lane))));
         let table: &[[[f32; 4]; 2]] = bytemuck::cast_slice(self.push);
         let [x, y, z, _] = R::of_rows(|lane| table[lane.min(last)][0]);
@@ -177,28 +180,31 @@ impl Block<'_> {
         let push = [Vec3::new(x, y, z), Vec3::new(i, j, k)];
         moving.advance(push, alone.gt(R::splat(0.5)), step);
         self.store(&moving);
-        share(self.motion, &gathered[first..=first + last]);
+        share(self.motion, first, sums);
     }
 
     /// Exchanges what holds the bodies; gives the velocities of their pushes.
     #[inline(always)]
-    fn exchange_with<R: Real>(
-        &mut self,
-        moving: &mut Moving<R>,
-        sums: &[Gathered],
-    ) -> [Vec3<R>; 2] {
-        let last = sums.len() - 1;
+    fn exchange_with<R: Real>(&mut self, moving: &mut Moving<R>, sums: &Sums<'_>) -> [Vec3<R>; 2] {
+        let last = self.place.len() - 1;
         let old: Holding<R> = holding(|lane| self.held[lane.min(last)]);
-        let new = holding(|lane| sums[lane.min(last)].held);
+        let new = holding(|lane| self.gathered(sums, lane).held);
         moving.exchange(&old, &new);
-        let pushed = holding(|lane| sums[lane.min(last)].pushed);
-        let [v, w] = moving.push_of(&pushed);
+        let pushed = holding(|lane| self.gathered(sums, lane).pushed);
+        let [mut v, mut w] = moving.push_of(&pushed);
+        if let Some(live) = sums.pushed() {
+            let row = |lane: usize| live.push(self.first + lane.min(last));
+            let [x, y, z, _] = R::of_rows(|lane| row(lane)[0]);
+            let [i, j, k, _] = R::of_rows(|lane| row(lane)[1]);
+            v += Vec3::new(x, y, z);
+            w += Vec3::new(i, j, k);
+        }
         let zero = R::splat(0.0);
         let linear = R::to_rows([v.x, v.y, v.z, zero]);
         let angular = R::to_rows([w.x, w.y, w.z, zero]);
         for (lane, push) in self.push.iter_mut().enumerate() {
             *push = bytemuck::cast([linear[lane], angular[lane]]);
-            self.held[lane] = sums[lane].stays;
+            self.held[lane] = sums.row(self.first + lane).stays;
         }
         [v, w]
     }

@@ -1,22 +1,26 @@
 //! The pairs of a step: where they touch, and what they pressed in the last step.
 
-use rayon::iter::{
-    IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
-};
+mod meet;
 
-use super::batches::{BALL_AND_BOX, Batches, Pair, Sorts};
-use super::coloured::Colours;
-use super::plan::{Part, Plan};
+use std::ops::Range;
+
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
+
+use super::batches::{Pair, SHAPES, Sort, Visit, Work};
+use super::coloured::{Colours, STILL};
+use super::groups::Group;
+use super::regions::{NOWHERE, Regions};
 use super::sleep::KeptPair;
 use super::threads;
-use crate::bodies::Bodies;
-use crate::own_row::narrow::{Posed, put_manifold};
-use crate::rows::{Impulse, Manifold, Material};
-use crate::rules::{MARGIN, Method};
+use crate::own_row::body::Gathered;
+use crate::rows::{Impulse, Manifold, Material, Press};
+use crate::rules::Method;
 use crate::simd::Real;
+use meet::Met;
+pub use meet::{Found, between, meet};
 
 /// All pairs that touch or may touch in the step, in the order of their bodies.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Pairs<R: Real> {
     /// Rows of the two bodies, the smaller first.
     pub bodies: Vec<(usize, usize)>,
@@ -26,43 +30,27 @@ pub struct Pairs<R: Real> {
     pub material: Vec<Material>,
     /// What they pressed and rubbed in the last step.
     pub impulse: Vec<Impulse>,
-    /// What they press and rub now, in lanes.
-    pub batches: Batches<R>,
-    /// Their colours; none where the method needs none.
-    pub colours: Colours,
-    /// By body: where its pairs begin in `of_body`; one more at the end.
-    pub starts: Vec<u32>,
-    /// The pairs of each body, in the order of the other body's ID: twice the row of what it gathers, and 1
-    /// where the body is b.
-    pub of_body: Vec<u32>,
+    /// What they have in common with others.
+    labels: Vec<Label>,
+    /// The group of each, and which of its pairs it is there.
+    seats: Vec<[u32; 2]>,
+    /// The same pairs in lanes, region by region; the last group may be those with ends in two regions.
+    pub groups: Vec<Group<R>>,
+    /// What bodies gather, group by group; nothing where they hear of it otherwise.
+    pub press: Vec<Press>,
     /// What came of the pairs that were found, some by some.
     met: Vec<Met>,
 }
 
-impl<R: Real> Default for Pairs<R> {
-    fn default() -> Self {
-        Self {
-            bodies: Vec::new(),
-            manifold: Vec::new(),
-            material: Vec::new(),
-            impulse: Vec::new(),
-            batches: Batches::default(),
-            colours: Colours::default(),
-            starts: Vec::new(),
-            of_body: Vec::new(),
-            met: Vec::new(),
-        }
-    }
+/// By what pairs are sorted.
+#[derive(Clone, Copy, Debug, Default)]
+struct Label {
+    /// The regions of the two bodies; [`NOWHERE`] for one that doesn't move.
+    regions: [u16; 2],
+    sort: Sort,
 }
 
 impl<R: Real> Pairs<R> {
-    /// The pairs of a body.
-    #[must_use]
-    pub fn of(&self, row: usize) -> &[u32] {
-        let (first, end) = (self.starts[row], self.starts[row + 1]);
-        &self.of_body[first as usize..end as usize]
-    }
-
     /// A body is gone, its pairs with it, and those after it have moved up.
     pub fn remove_body(&mut self, row: usize) {
         let moved = |other: usize| if other > row { other - 1 } else { other };
@@ -73,9 +61,8 @@ impl<R: Real> Pairs<R> {
         self.impulse = kept.iter().map(|&pair| self.impulse[pair]).collect();
         let bodies = kept.iter().map(|&pair| self.bodies[pair]);
         self.bodies = bodies.map(|(a, b)| (moved(a), moved(b))).collect();
-        let rows = self.starts.len().saturating_sub(2);
-        self.colours.clear();
-        self.fill(rows, usize::MAX, Plan::default(), |_| false);
+        self.groups.clear();
+        self.press.clear();
     }
 
     /// Pairs that have woken are known as they were when they fell asleep. Of the pairs of a step that is past:
@@ -96,248 +83,271 @@ impl<R: Real> Pairs<R> {
 
     /// Brings what was pressed from the lanes into a row a pair. At least `least` pairs go together.
     pub fn write_back(&mut self, least: usize) {
-        let batches = &self.batches;
+        let (groups, seats) = (&self.groups, &self.seats);
         threads::each(&mut self.impulse, least, |pair, impulse| {
-            *impulse = batches.impulse(pair);
+            let [group, rank] = seats[pair];
+            *impulse = groups[group as usize].batches.impulse(rank as usize);
         });
     }
 
-    /// Puts the pairs into lanes, and lists those of each of so many bodies, of which some are boxes that stand.
-    /// At least `least` pairs go together.
-    fn fill(
-        &mut self,
-        rows: usize,
-        least: usize,
-        plan: Plan,
-        stands: impl Fn(usize) -> bool + Sync,
-    ) {
-        let sorts = Sorts {
-            colours: self.colours.count(),
-            alone: self.colours.alone(),
-            plan,
+    /// How many pairs found no colour.
+    #[must_use]
+    pub fn without_colour(&self) -> usize {
+        let without = self.groups.iter().map(|group| group.colours.without());
+        without.sum()
+    }
+
+    /// How many colours there are in the group that has most of them.
+    #[must_use]
+    pub fn colours(&self) -> usize {
+        let colours = self.groups.iter().map(|group| &group.colours);
+        let count = |of: &Colours| of.count() - usize::from(of.alone().is_some());
+        colours.map(count).max().unwrap_or(0)
+    }
+
+    /// How many batches there are of two balls, of a ball and a box that stands, and of others by their points; with
+    /// friction, and without.
+    #[must_use]
+    pub fn counts(&self) -> [[usize; SHAPES]; 2] {
+        let mut sums = [[0; SHAPES]; 2];
+        for group in &self.groups {
+            let counts = group.batches.counts();
+            for (sum, count) in sums.iter_mut().flatten().zip(counts.iter().flatten()) {
+                *sum += count;
+            }
+        }
+        sums
+    }
+
+    /// Bytes of all batches, and of what bodies gather.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let batches = self.groups.iter().map(|group| group.batches.bytes());
+        batches.sum::<usize>() + size_of_val(&self.press[..])
+    }
+
+    // ANCHOR: share_out
+    /// Shares the pairs out among the groups. By own rows a pair with ends in two regions is in both: each
+    /// copy reads the same and so presses the same, and no region waits for another. With colours it belongs to the
+    /// cut between them. Gives how many there are of these.
+    fn share_out(&mut self, regions: &Regions, method: Method) -> usize {
+        for group in &mut self.groups {
+            group.pairs.clear();
+        }
+        self.seats.clear();
+        let mut torn = 0;
+        for (pair, label) in self.labels.iter().enumerate() {
+            let [a, b] = label.regions;
+            // What doesn't move is nowhere: the other end decides.
+            let [a, b] = [
+                a.min(b),
+                if a.max(b) == NOWHERE {
+                    a.min(b)
+                } else {
+                    a.max(b)
+                },
+            ];
+            let home = match method {
+                Method::OwnRow => usize::from(a).min(regions.count() - 1),
+                Method::Coloured => regions.node([a, b]),
+            };
+            let pairs = &mut self.groups[home].pairs;
+            self.seats.push([home as u32, pairs.len() as u32]);
+            pairs.push(pair as u32);
+            if a != b {
+                torn += 1;
+                if method == Method::OwnRow {
+                    self.groups[usize::from(b)].pairs.push(pair as u32);
+                }
+            }
+        }
+        torn
+    }
+    // ANCHOR_END: share_out
+
+    /// Puts the pairs into groups and lanes. At least `least` pairs go together.
+    fn fill(&mut self, regions: &mut Regions, method: Method, least: usize) {
+        let groups = match method {
+            Method::OwnRow => regions.count(),
+            Method::Coloured => regions.nodes(),
         };
-        self.batches.fill(self.bodies.len(), sorts, least, |pair| {
+        self.groups.resize_with(groups, Group::default);
+        let torn = self.share_out(regions, method);
+        regions.hear(self.bodies.len(), torn);
+        let mut all = std::mem::take(&mut self.groups);
+        let within = if groups > 1 { usize::MAX } else { least };
+        threads::each(&mut all, threads::one_by_one(least), |k, group| {
+            self.fill_group(k, group, regions, method, within);
+        });
+        self.groups = all;
+        let rows = self.groups.iter().map(|group| group.batches.rows()).sum();
+        match method {
+            Method::OwnRow => self.press.resize(rows, Press::default()),
+            Method::Coloured => self.press.clear(),
+        }
+    }
+
+    /// Puts the pairs of a group into lanes.
+    fn fill_group(
+        &self,
+        k: usize,
+        group: &mut Group<R>,
+        regions: &Regions,
+        method: Method,
+        least: usize,
+    ) {
+        let (spots, span) = match method {
+            Method::OwnRow => (regions.spots(), regions.region(k)),
+            Method::Coloured => (regions.spots(), regions.span(k)),
+        };
+        let rows = span.len();
+        let seat = |row: usize, region: u16| match spots[row] as usize {
+            spot if region != NOWHERE && span.contains(&spot) => (spot - span.start) as u32,
+            _ => STILL,
+        };
+        let end = |&pair: &u32| {
+            let ((a, b), label) = (self.bodies[pair as usize], &self.labels[pair as usize]);
+            [seat(a, label.regions[0]), seat(b, label.regions[1])]
+        };
+        group.ends.clear();
+        group.ends.extend(group.pairs.iter().map(end));
+        if method == Method::Coloured {
+            group.paint(rows);
+        }
+        group.fill(least, |pair| {
             let (a, b) = self.bodies[pair];
-            let (colour, moves) = self.colours.at(pair);
-            let manifold = &self.manifold[pair];
             Pair {
                 bodies: (a as u32, b as u32),
-                moves,
-                stands: manifold.kind == BALL_AND_BOX && (stands(a) || stands(b)),
-                colour,
-                manifold,
+                moves: [false; 2],
+                sort: self.labels[pair].sort,
+                colour: 0,
+                manifold: &self.manifold[pair],
                 material: &self.material[pair],
                 impulse: &self.impulse[pair],
             }
         });
-        list(rows, self);
-    }
-}
-
-// ANCHOR: meet
-/// Narrow phase: where each pair touches or may touch; impulses of the last step go on where the same
-/// features still touch. At least `least` pairs that were found go together.
-pub fn meet<R: Real>(
-    found: &[(usize, usize)],
-    bodies: &Bodies,
-    dt: f32,
-    last: &Pairs<R>,
-    (method, plan): (Method, Plan),
-    pairs: &mut Pairs<R>,
-    least: usize,
-) {
-    let mut met = std::mem::take(&mut pairs.met);
-    met.resize_with(found.len().div_ceil(least.max(1)), Met::default);
-    let some = found.chunks(least.min(found.len()).max(1));
-    met.par_iter_mut()
-        .zip(some.collect::<Vec<_>>())
-        .for_each(|(met, found)| met.meet(found, bodies, dt, last, plan));
-    match &mut met[..] {
-        [all] => all.swap_with(pairs),
-        some => {
-            join(some, |met| &met.bodies, &mut pairs.bodies);
-            join(some, |met| &met.manifold, &mut pairs.manifold);
-            join(some, |met| &met.material, &mut pairs.material);
-            join(some, |met| &met.impulse, &mut pairs.impulse);
+        if method == Method::OwnRow {
+            group.list(rows);
         }
     }
-    pairs.met = met;
-    if method == Method::Coloured {
-        pairs
-            .colours
-            .paint(&pairs.bodies, bodies.rows(), |row| bodies.moves(row));
-    }
-    pairs.fill(bodies.rows(), least, plan, |row| bodies.is_block(row));
-}
-// ANCHOR_END: meet
 
-/// Puts a column of some pairs behind that of those before them.
-fn join<T: Copy + Default + Send + Sync>(
-    met: &[Met],
-    column: impl Fn(&Met) -> &Vec<T> + Sync,
-    all: &mut Vec<T>,
-) {
-    all.resize(
-        met.iter().map(|some| column(some).len()).sum(),
-        T::default(),
-    );
-    let mut rest = &mut all[..];
-    let places = met.iter().map(|some| {
-        let (own, others) = std::mem::take(&mut rest).split_at_mut(column(some).len());
-        rest = others;
-        own
-    });
-    let places: Vec<_> = places.collect();
-    met.par_iter()
-        .zip(places)
-        .for_each(|(some, place)| place.copy_from_slice(column(some)));
-}
-
-/// What came of some of the pairs that were found.
-#[derive(Clone, Debug, Default)]
-struct Met {
-    bodies: Vec<(usize, usize)>,
-    manifold: Vec<Manifold>,
-    material: Vec<Material>,
-    impulse: Vec<Impulse>,
-}
-
-impl Met {
-    /// Takes the place of all pairs.
-    fn swap_with<R: Real>(&mut self, pairs: &mut Pairs<R>) {
-        std::mem::swap(&mut self.bodies, &mut pairs.bodies);
-        std::mem::swap(&mut self.manifold, &mut pairs.manifold);
-        std::mem::swap(&mut self.material, &mut pairs.material);
-        std::mem::swap(&mut self.impulse, &mut pairs.impulse);
+    /// Does something with every batch. At least `least` pairs go together.
+    pub fn each(&mut self, least: usize, work: &impl Work<R>) {
+        if let [group] = &mut self.groups[..] {
+            let least = least / R::LANES;
+            group.batches.each(&mut self.press, least, work);
+            return;
+        }
+        let rows = self.groups.iter().map(|group| group.batches.rows());
+        let press = split(&mut self.press, rows);
+        let groups = self.groups.par_iter_mut().zip(press);
+        groups
+            .with_min_len(threads::one_by_one(least))
+            .for_each(|(group, press)| group.batches.each(press, usize::MAX, work));
     }
 
-    fn meet<R: Real>(
+    // ANCHOR: each_and_gather
+    /// Does something with every batch, and then each body sums what its pairs did to it, in the order of
+    /// their IDs; and what `more` adds. Whoever has done the pairs of a region has what its bodies gather near
+    /// at hand.
+    pub fn each_and_gather(
         &mut self,
-        found: &[(usize, usize)],
-        bodies: &Bodies,
-        dt: f32,
-        last: &Pairs<R>,
-        plan: Plan,
+        work: &impl Work<R>,
+        (regions, runs): (&Regions, &[Range<usize>]),
+        least: usize,
+        sums: &mut [Gathered],
+        more: impl Fn(usize, &mut Gathered) + Sync,
     ) {
-        self.bodies.clear();
-        self.material.clear();
-        let first = found.first().copied().unwrap_or_default();
-        let mut old = last.bodies.partition_point(|pair| *pair < first);
-        for &(a, b) in found {
-            let met = self.bodies.len();
-            if self.manifold.len() == met {
-                self.manifold.push(Manifold::default());
-                self.impulse.push(Impulse::default());
-            }
-            let (m, impulse) = (&mut self.manifold[met], &mut self.impulse[met]);
-            let near = margin(bodies, a, b, dt);
-            put_manifold(m, &posed(bodies, a), &posed(bodies, b), near);
-            if m.points == 0 {
-                continue;
-            }
-            if plan.keeps(Part::Points) {
-                repeat_points(m);
-            }
-            while old < last.bodies.len() && last.bodies[old] < (a, b) {
-                old += 1;
-            }
-            *impulse = Impulse::default();
-            if last.bodies.get(old) == Some(&(a, b)) {
-                carry(&last.manifold[old], &last.impulse[old], m, impulse);
-            }
-            self.bodies.push((a, b));
-            self.material
-                .push(between(&bodies.material[a], &bodies.material[b]));
+        if self.groups.len() <= 1 {
+            self.each(least, work);
+            self.gather((regions, runs), least, sums, more);
+            return;
         }
-        self.manifold.truncate(self.bodies.len());
-        self.impulse.truncate(self.bodies.len());
+        let rows = self.groups.iter().map(|group| group.batches.rows());
+        let press = split(&mut self.press, rows);
+        let sums = split(sums, regions.sizes());
+        let groups = self.groups.par_iter_mut().zip(press).zip(sums);
+        let groups = groups.enumerate().with_min_len(threads::one_by_one(least));
+        groups.for_each(|(k, ((group, press), sums))| {
+            group.batches.each(press, usize::MAX, work);
+            group.gather(regions.rows(k), press, sums, &more);
+        });
     }
-}
+    // ANCHOR_END: each_and_gather
 
-/// Gives a pair four points, the first ones again.
-fn repeat_points(m: &mut Manifold) {
-    for k in m.points as usize..4 {
-        let of = k % m.points as usize;
-        (m.core_a[k], m.core_b[k]) = (m.core_a[of], m.core_b[of]);
-    }
-    m.points = 4;
-}
-
-/// A body as the narrow phase sees it.
-#[inline]
-fn posed(bodies: &Bodies, row: usize) -> Posed {
-    Posed {
-        position: bodies.place[row].position,
-        attitude: bodies.attitude[row],
-        kind: bodies.solid[row].kind,
-        size: bodies.solid[row].size,
-    }
-}
-
-/// How far apart two bodies may be and still be a pair: what they may come nearer in the step, m.
-#[inline]
-fn margin(bodies: &Bodies, a: usize, b: usize, dt: f32) -> f32 {
-    let speed = (bodies.motion[b].velocity - bodies.motion[a].velocity).length();
-    let tips = [a, b].map(|row| {
-        let turns = bodies.solid[row].kind != 0;
-        let rate = if turns {
-            bodies.spin[row].angular_velocity.length()
-        } else {
-            0.0
-        };
-        rate * bodies.place[row].reach
-    });
-    MARGIN + (speed + tips[0] + tips[1]) * dt
-}
-
-// ANCHOR: carry
-/// The impulses of the last step on the points of this one: those of the same feature. The others stay.
-fn carry(old: &Manifold, impulse: &Impulse, new: &Manifold, carried: &mut Impulse) {
-    for k in 0..new.points as usize {
-        for j in 0..old.points as usize {
-            if old.core_a[j].w.to_bits() == new.core_a[k].w.to_bits() {
-                carried.normal[k] = impulse.normal[j];
-                carried.friction = impulse.friction;
-                // A single point has no arm against turning.
-                carried.twist = if new.points > 1 { impulse.twist } else { 0.0 };
-            }
+    /// Each body sums what its pairs did to it.
+    pub fn gather(
+        &self,
+        (regions, runs): (&Regions, &[Range<usize>]),
+        least: usize,
+        sums: &mut [Gathered],
+        more: impl Fn(usize, &mut Gathered) + Sync,
+    ) {
+        if let [group] = &self.groups[..] {
+            threads::each_in(sums, runs, least, |row, sum| {
+                *sum = group.gathered(row, &self.press);
+                more(row, sum);
+            });
+            return;
+        }
+        let mut first = 0;
+        for (k, sums) in split(sums, regions.sizes()).into_iter().enumerate() {
+            let end = first + self.groups[k].batches.rows();
+            let press = &self.press[first..end];
+            self.groups[k].gather(regions.rows(k), press, sums, &more);
+            first = end;
         }
     }
-}
-// ANCHOR_END: carry
 
-/// The material of a pair.
-#[inline]
-#[must_use]
-pub fn between(a: &Material, b: &Material) -> Material {
-    Material {
-        restitution: 0.5 * (a.restitution + b.restitution),
-        friction: (a.friction * b.friction).sqrt(),
-        static_friction: (a.static_friction * b.static_friction).sqrt(),
-        spare: 0.0,
+    /// Visits all pairs. At least `least` pairs of a colour go together.
+    pub fn sweep<V: Visit<R>>(
+        &mut self,
+        back: bool,
+        least: usize,
+        visit: impl Fn([bool; 2]) -> V + Sync,
+    ) {
+        sweep(&mut self.groups, back, least / R::LANES, &visit);
     }
 }
 
-/// Lists the pairs of each body. They come in the order of a, then b, so each list is in the order of
-/// the partner.
-fn list<R: Real>(rows: usize, pairs: &mut Pairs<R>) {
-    pairs.starts.clear();
-    pairs.starts.resize(rows + 1, 0);
-    for &(a, b) in &pairs.bodies {
-        pairs.starts[a] += 1;
-        pairs.starts[b] += 1;
+// ANCHOR: sweep_all
+/// Visits the pairs that cross a cut, their colours one after another; then both sides of the cut at once, which
+/// have no body in common and colours of their own; and on the way back those of the cut again. What can't be cut
+/// any more is a region.
+fn sweep<R: Real, V: Visit<R>>(
+    groups: &mut [Group<R>],
+    back: bool,
+    least: usize,
+    visit: &(impl Fn([bool; 2]) -> V + Sync),
+) {
+    let (low, rest) = groups.split_at_mut(groups.len() / 2);
+    let Some((cut, high)) = rest.split_first_mut() else {
+        return;
+    };
+    if low.is_empty() {
+        cut.forth_and_back(back, least, visit);
+        return;
     }
-    let mut sum = 0;
-    for start in &mut pairs.starts {
-        sum += std::mem::replace(start, sum);
+    cut.forth(back, least, visit);
+    if least == usize::MAX / R::LANES {
+        sweep(low, back, least, visit);
+        sweep(high, back, least, visit);
+    } else {
+        let both = || sweep(low, back, least, visit);
+        rayon::join(both, || sweep(high, back, least, visit));
     }
-    let mut next = pairs.starts.clone();
-    pairs.of_body.clear();
-    pairs.of_body.resize(2 * pairs.bodies.len(), 0);
-    for (&(a, b), &place) in pairs.bodies.iter().zip(&pairs.batches.place) {
-        for (row, is_b) in [(a, 0), (b, 1)] {
-            pairs.of_body[next[row] as usize] = 2 * place + is_b;
-            next[row] += 1;
-        }
+    if back {
+        cut.back(least, visit);
     }
+}
+// ANCHOR_END: sweep_all
+
+/// Cuts rows into pieces.
+fn split<T>(mut rows: &mut [T], counts: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
+    let piece = |count: usize| {
+        let (piece, rest) = std::mem::take(&mut rows).split_at_mut(count);
+        rows = rest;
+        piece
+    };
+    counts.map(piece).collect()
 }

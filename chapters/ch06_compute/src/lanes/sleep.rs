@@ -233,6 +233,7 @@ impl<R: Real> Lanes<R> {
         self.bodies.find_runs();
         self.joints.group(&self.bodies);
         self.live.forget();
+        self.regions.forget();
         self.broad.forget();
     }
 }

@@ -68,6 +68,12 @@ impl Threads {
     }
 }
 
+/// The fewest that go together where each is much work: one, if others may share it at all.
+#[must_use]
+pub fn one_by_one(least: usize) -> usize {
+    if least == usize::MAX { least } else { 1 }
+}
+
 // ANCHOR: each
 /// Does something with every row, on as many threads as there are; at least `least` rows go together.
 pub fn each<T: Send>(rows: &mut [T], least: usize, work: impl Fn(usize, &mut T) + Sync) {

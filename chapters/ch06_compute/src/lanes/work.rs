@@ -7,12 +7,12 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::batches::{Batch, Kind, Work};
+use super::batches::{Batch, Kind, Visit, Work};
 use crate::bodies::Bodies;
 use crate::own_row::contact::{Before, bounces, press_again, restore_pair, solve_pair};
 use crate::own_row::side::{Side, Turns};
 use crate::rows::{Press, Step};
-use crate::simd::{Real, Vec3};
+use crate::simd::{Mask, Real, Vec3};
 
 /// What held the bodies in the last step, where their points are now.
 pub struct PressAgain<'s> {
@@ -56,13 +56,13 @@ impl<R: Real> Work<R> for Solve<'_> {
     }
 }
 
-/// Which pairs bounce at the end of the step.
-pub struct Bounces<'s> {
+/// Whether any pair bounces at the end of the step.
+pub struct AnyBounces<'s> {
     step: &'s Step,
     any: AtomicBool,
 }
 
-impl<'s> Bounces<'s> {
+impl<'s> AnyBounces<'s> {
     /// None so far.
     #[must_use]
     pub fn of(step: &'s Step) -> Self {
@@ -79,14 +79,25 @@ impl<'s> Bounces<'s> {
     }
 }
 
+impl<R: Real> Visit<R> for &AnyBounces<'_> {
+    fn visit<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>) {
+        if !self.any() && bounces(&batch.approach, &batch.surface, self.step).any() {
+            self.any.store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+/// Which pairs bounce.
+pub struct Bounces<'s> {
+    /// The numbers of the step.
+    pub step: &'s Step,
+}
+
 impl<R: Real> Work<R> for Bounces<'_> {
     fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
         let hits = R::ones(bounces(&batch.approach, &batch.surface, self.step));
         for (lane, row) in rows.iter_mut().enumerate() {
             row.counts = hits.lane(lane);
-            if row.counts > 0.0 {
-                self.any.store(true, Ordering::Relaxed);
-            }
         }
     }
 }
@@ -111,7 +122,7 @@ impl<R: Real> Work<R> for Restore<'_> {
 }
 
 /// Whether no pair of a batch bounces; then they give nothing.
-pub(super) fn bounces_none(rows: &mut [Press]) -> bool {
+fn bounces_none(rows: &mut [Press]) -> bool {
     let none = rows.iter().all(|row| row.counts == 0.0);
     if none {
         rows.fill(Press::default());

@@ -174,6 +174,24 @@ pub struct Gathered {
     spare: [f32; 2],
 }
 
+impl Gathered {
+    /// What others have summed, without pushes: impulses, what of them was impacts, and how many pairs count.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(held: Held, impacts: Held, counts: f32) -> Self {
+        let mut stays = held;
+        stays.linear -= impacts.linear;
+        stays.angular -= impacts.angular;
+        Self {
+            held,
+            stays,
+            counts,
+            touches: counts,
+            ..Self::default()
+        }
+    }
+}
+
 // ANCHOR: gather
 impl Gathered {
     /// Adds a pair in which the body is b, or a: four numbers at a time, of which the last is unused.

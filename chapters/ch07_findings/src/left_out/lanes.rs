@@ -255,7 +255,7 @@ fn settled(scene: &Scene, rules: Rules) -> Result<Start, FindingsError> {
     }
     let mut state = State::default();
     lanes.bodies.read(&mut state);
-    let [rough, smooth] = lanes.pairs.batches.counts();
+    let [rough, smooth] = lanes.pairs.counts();
     let sum = |batches: &[usize]| batches.iter().sum::<usize>();
     let is_left_out = |part: &Part| match part {
         Part::Shapes => sum(&rough[..2]) + sum(&smooth[..2]) > 0,
@@ -341,7 +341,7 @@ fn facts(
     Ok(Facts {
         operations: per_pair(operations as f64, lanes.pairs.bodies.len())
             / f64::from(rules.substeps),
-        bytes: per_pair(wide.pairs.batches.bytes() as f64, wide.pairs.bodies.len()),
+        bytes: per_pair(wide.pairs.bytes() as f64, wide.pairs.bodies.len()),
         p99,
     })
 }

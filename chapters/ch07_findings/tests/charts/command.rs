@@ -103,6 +103,7 @@ fn the_files_of_the_book_are_what_their_kept_tables_say() {
         "round_trip",
         "balls_on_the_gpu",
         "lanes_roofline",
+        "lanes_growth",
         "--out",
         words(folder.path()),
     ]);
@@ -113,7 +114,7 @@ fn the_files_of_the_book_are_what_their_kept_tables_say() {
         let text = |path: &Path| std::fs::read_to_string(path).unwrap_or_default();
         assert!(
             text(&file.path()) == text(&in_book),
-            "{} is out of date: `cargo chart round_trip balls_on_the_gpu lanes_roofline`",
+            "{} is out of date: `cargo chart round_trip balls_on_the_gpu lanes_roofline lanes_growth`",
             in_book.display()
         );
     }

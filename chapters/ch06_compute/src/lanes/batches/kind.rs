@@ -77,6 +77,12 @@ pub trait Work<R: Real>: Sync {
     fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]);
 }
 
+/// What is done with a batch of one colour: bodies are read and written, and there are no rows.
+pub trait Visit<R: Real>: Sync {
+    /// Does it.
+    fn visit<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>);
+}
+
 // ANCHOR: frictionless
 /// The same with batches whose pairs have no friction.
 pub struct Frictionless<'w, W>(pub &'w W);
@@ -87,3 +93,9 @@ impl<R: Real, W: Work<R>> Work<R> for Frictionless<'_, W> {
     }
 }
 // ANCHOR_END: frictionless
+
+impl<R: Real, V: Visit<R>> Visit<R> for Frictionless<'_, V> {
+    fn visit<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>) {
+        self.0.visit::<Smooth<I>, P>(batch);
+    }
+}

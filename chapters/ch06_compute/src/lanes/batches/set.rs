@@ -5,7 +5,7 @@ use std::ops::Range;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
-use super::{Batch, Kind, Pair, Work};
+use super::{Batch, Kind, Pair, Visit, Work};
 use crate::own_row::contact::{Contact, Impulses, Surface};
 use crate::own_row::side::Standing;
 use crate::rows::{Impulse, Press};
@@ -88,26 +88,30 @@ impl<R: Real> Set<R> {
             + size_of_val(&self.four[..])
     }
 
-    /// Does something with some batches; `press` has a row a lane of all.
-    pub fn each_in(
-        &mut self,
-        parts: Shapes,
-        press: &mut [Press],
-        least: usize,
-        work: &impl Work<R>,
-    ) {
-        let [in_balls, in_walls, in_one, in_two, in_three, in_four] = parts;
+    /// Does something with all batches; `press` has a row a lane.
+    pub fn each(&mut self, press: &mut [Press], least: usize, work: &impl Work<R>) {
         let (balls, rest) = press.split_at_mut(self.balls.len() * R::LANES);
         let (walls, rest) = rest.split_at_mut(self.walls.len() * R::LANES);
         let (one, rest) = rest.split_at_mut(self.one.len() * R::LANES);
         let (two, rest) = rest.split_at_mut(self.two.len() * R::LANES);
         let (three, four) = rest.split_at_mut(self.three.len() * R::LANES);
-        each_in::<R, Round<R>, 1>(&mut self.balls, balls, in_balls, least, work);
-        each_in::<R, Standing<R>, 1>(&mut self.walls, walls, in_walls, least, work);
-        each_in::<R, Symmetric<R>, 1>(&mut self.one, one, in_one, least, work);
-        each_in::<R, Symmetric<R>, 2>(&mut self.two, two, in_two, least, work);
-        each_in::<R, Symmetric<R>, 3>(&mut self.three, three, in_three, least, work);
-        each_in::<R, Symmetric<R>, 4>(&mut self.four, four, in_four, least, work);
+        each::<R, Round<R>, 1>(&mut self.balls, balls, least, work);
+        each::<R, Standing<R>, 1>(&mut self.walls, walls, least, work);
+        each::<R, Symmetric<R>, 1>(&mut self.one, one, least, work);
+        each::<R, Symmetric<R>, 2>(&mut self.two, two, least, work);
+        each::<R, Symmetric<R>, 3>(&mut self.three, three, least, work);
+        each::<R, Symmetric<R>, 4>(&mut self.four, four, least, work);
+    }
+
+    /// Visits some batches.
+    pub fn visit(&mut self, parts: Shapes, least: usize, work: &impl Visit<R>) {
+        let [balls, walls, one, two, three, four] = parts;
+        visit::<R, Round<R>, 1>(&mut self.balls[balls], least, work);
+        visit::<R, Standing<R>, 1>(&mut self.walls[walls], least, work);
+        visit::<R, Symmetric<R>, 1>(&mut self.one[one], least, work);
+        visit::<R, Symmetric<R>, 2>(&mut self.two[two], least, work);
+        visit::<R, Symmetric<R>, 3>(&mut self.three[three], least, work);
+        visit::<R, Symmetric<R>, 4>(&mut self.four[four], least, work);
     }
 
     /// What the pair in a lane of a batch has pressed by now; batches of all shapes are counted on.
@@ -168,20 +172,18 @@ fn fill<'p, R: Real, const P: usize>(
             surface: Surface::of(|lane| pairs[lane].material),
             impulse: Impulses::of(|lane| pairs[lane].impulse),
             approach: [R::splat(0.0); P],
+            impact: R::splat(0.0),
         }
     });
     batch.collect_into_vec(batches);
 }
 
-fn each_in<R: Real, I: Kind<R, P>, const P: usize>(
+fn each<R: Real, I: Kind<R, P>, const P: usize>(
     batches: &mut [Batch<R, P>],
     press: &mut [Press],
-    part: Range<usize>,
     least: usize,
     work: &impl Work<R>,
 ) {
-    let press = &mut press[part.start * R::LANES..part.end * R::LANES];
-    let batches = &mut batches[part];
     if batches.len() < least {
         let rows = press.chunks_mut(R::LANES);
         for (batch, rows) in batches.iter_mut().zip(rows) {
@@ -192,4 +194,19 @@ fn each_in<R: Real, I: Kind<R, P>, const P: usize>(
     let rows = press.par_chunks_mut(R::LANES);
     let batches = batches.par_iter_mut().zip(rows).with_min_len(least);
     batches.for_each(|(batch, rows)| work.run::<I, P>(batch, rows));
+}
+
+fn visit<R: Real, I: Kind<R, P>, const P: usize>(
+    batches: &mut [Batch<R, P>],
+    least: usize,
+    work: &impl Visit<R>,
+) {
+    if batches.len() < least {
+        for batch in batches {
+            work.visit::<I, P>(batch);
+        }
+        return;
+    }
+    let batches = batches.par_iter_mut().with_min_len(least);
+    batches.for_each(|batch| work.visit::<I, P>(batch));
 }

@@ -3,13 +3,14 @@
 /// How many colours there are; a body with more contacts leaves some of them without.
 pub const MOST_COLOURS: usize = 64;
 
-/// The colours of the pairs of a step.
+/// In the place of a row: that body doesn't move, or is in another region.
+pub const STILL: u32 = u32::MAX;
+
+/// The colours of some pairs.
 #[derive(Clone, Debug, Default)]
 pub struct Colours {
     /// By pair: its colour; that of those which found none is the last.
     of: Vec<u8>,
-    /// By pair: which of its bodies move.
-    moves: Vec<[bool; 2]>,
     /// How many colours have pairs.
     count: usize,
     /// How many pairs found none.
@@ -39,36 +40,24 @@ impl Colours {
 
     /// The colour of a pair, and which of its bodies move.
     #[must_use]
-    pub fn at(&self, pair: usize) -> (u8, [bool; 2]) {
+    pub fn at(&self, pair: usize, ends: &[[u32; 2]]) -> (u8, [bool; 2]) {
         let colour = self.of.get(pair).copied().unwrap_or_default();
-        (colour, self.moves.get(pair).copied().unwrap_or_default())
-    }
-
-    /// Forgets all.
-    pub fn clear(&mut self) {
-        self.of.clear();
-        self.moves.clear();
-        (self.count, self.without) = (0, 0);
+        (colour, ends[pair].map(|row| row != STILL))
     }
 
     /// Gives every pair the first colour that none of its bodies has yet, in the order of the pairs: first
     /// those of two bodies that move, then those with one that doesn't. So what stands fast has the last word
     /// in a sweep. A body that doesn't move takes no colour.
-    pub fn paint(
-        &mut self,
-        pairs: &[(usize, usize)],
-        bodies: usize,
-        moves: impl Fn(usize) -> bool,
-    ) {
-        self.clear();
+    pub fn paint(&mut self, pairs: &[[u32; 2]], bodies: usize) {
+        (self.count, self.without) = (0, 0);
         self.used.clear();
         self.used.resize(bodies, 0);
-        let moving = |&(a, b): &(usize, usize)| [moves(a), moves(b)];
-        self.moves.extend(pairs.iter().map(moving));
+        self.of.clear();
         self.of.resize(pairs.len(), 0);
-        self.paint_those(pairs, 0, |moves| moves == [true, true]);
+        let two_move = |&[a, b]: &[u32; 2]| a != STILL && b != STILL;
+        self.paint_those(pairs, 0, two_move);
         let first = self.count.min(MOST_COLOURS - 1);
-        self.paint_those(pairs, first, |moves| moves != [true, true]);
+        self.paint_those(pairs, first, |pair| !two_move(pair));
         if self.without > 0 {
             self.count += 1;
             let last = (self.count - 1) as u8;
@@ -82,17 +71,14 @@ impl Colours {
     /// Gives each of the pairs that are chosen the first colour, from `first` on, that neither body has.
     fn paint_those(
         &mut self,
-        pairs: &[(usize, usize)],
+        pairs: &[[u32; 2]],
         first: usize,
-        chosen: impl Fn([bool; 2]) -> bool,
+        chosen: impl Fn(&[u32; 2]) -> bool,
     ) {
-        for (pair, &(a, b)) in pairs.iter().enumerate() {
-            let moves = self.moves[pair];
-            if !chosen(moves) {
-                continue;
-            }
-            let of = |row: usize, moves: bool| if moves { self.used[row] } else { 0 };
-            let used = of(a, moves[0]) | of(b, moves[1]) | ((1 << first) - 1);
+        let those = pairs.iter().enumerate().filter(|(_, pair)| chosen(pair));
+        for (pair, rows) in those {
+            let of = |row: u32| self.used.get(row as usize).copied().unwrap_or(0);
+            let used = of(rows[0]) | of(rows[1]) | ((1 << first) - 1);
             let colour = used.trailing_ones() as usize;
             if colour == MOST_COLOURS {
                 self.of[pair] = NONE;
@@ -100,9 +86,12 @@ impl Colours {
                 continue;
             }
             self.of[pair] = colour as u8;
-            self.used[a] |= 1 << colour;
-            self.used[b] |= 1 << colour;
             self.count = self.count.max(colour + 1);
+            for row in rows {
+                if let Some(used) = self.used.get_mut(*row as usize) {
+                    *used |= 1 << colour;
+                }
+            }
         }
     }
     // ANCHOR_END: paint

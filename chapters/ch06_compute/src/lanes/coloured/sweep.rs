@@ -2,11 +2,33 @@
 
 use super::Live;
 use crate::bodies::Bodies;
-use crate::lanes::batches::{Batch, Kind, Work};
-use crate::lanes::work::{before, bounces_none};
-use crate::own_row::contact::{Given, Moved, Visit, restore_pair, solve_moved};
-use crate::rows::{Press, Step};
-use crate::simd::{MOST_LANES, Mask, Real, array_of};
+use crate::lanes::batches::{self, Batch, Kind};
+use crate::lanes::work::before;
+use crate::own_row::contact::{Moved, Visit, bounces, press_again, restore_pair, solve_moved};
+use crate::own_row::side::Side;
+use crate::rows::Step;
+use crate::simd::{Mask, Real};
+
+/// What held the bodies in the last step, where their points are now.
+pub struct PressAgain<'s> {
+    /// The bodies.
+    pub bodies: &'s Bodies,
+    /// How they move by now.
+    pub live: &'s Live,
+    /// Length of a substep, s.
+    pub h: f32,
+}
+
+impl<R: Real> batches::Visit<R> for PressAgain<'_> {
+    fn visit<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>) {
+        let [a, b] = &batch.rows;
+        let sides: [Side<R, I>; 2] = [Side::of(self.bodies, a), Side::of(self.bodies, b)];
+        let t = I::touching(&batch.contact, &sides[0], &sides[1]);
+        let given = press_again(&t, &batch.impulse, sides, self.h);
+        self.live.add(&given, false, a, batch.moves[0]);
+        self.live.add(&given, true, b, batch.moves[1]);
+    }
+}
 
 // ANCHOR: sweep
 /// A substep of the pairs of a colour.
@@ -23,11 +45,11 @@ pub struct Sweep<'s> {
     pub ends: bool,
 }
 
-impl<R: Real> Work<R> for Sweep<'_> {
-    fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
+impl<R: Real> batches::Visit<R> for Sweep<'_> {
+    fn visit<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>) {
         let [a, b] = batch.rows;
         let was_impact = if self.again {
-            R::of(|lane| rows[lane].stays).same(R::splat(0.0))
+            batch.impact.gt(R::splat(0.0))
         } else {
             R::Mask::splat(false)
         };
@@ -50,29 +72,18 @@ impl<R: Real> Work<R> for Sweep<'_> {
             || [before(self.bodies, &a), before(self.bodies, &b)],
             self.step,
         );
-        if self.again {
-            write_more(&given, rows);
-        } else {
-            given.write(rows);
-        }
         let [one, two] = &visit.moved;
         self.live.write(one, &a, batch.moves[0]);
         self.live.write(two, &b, batch.moves[1]);
+        if self.ends {
+            self.live.add(&given, false, &a, batch.moves[0]);
+            self.live.add(&given, true, &b, batch.moves[1]);
+        } else {
+            batch.impact = R::splat(1.0) - given.stays;
+        }
     }
 }
 // ANCHOR_END: sweep
-
-/// Writes what a pair does after all, with its pushes added to those it has given already: impulses are sums
-/// by themselves, pushes start from nothing at every visit.
-fn write_more<R: Real>(given: &Given<R>, rows: &mut [Press]) {
-    let old: [Press; MOST_LANES] = array_of(|lane| rows.get(lane).copied().unwrap_or_default());
-    given.write(rows);
-    for (row, old) in rows.iter_mut().zip(old) {
-        row.push += old.push;
-        row.push_a += old.push_a;
-        row.push_b += old.push_b;
-    }
-}
 
 /// Restitution of the pairs of a colour.
 pub struct Restore<'s> {
@@ -84,9 +95,9 @@ pub struct Restore<'s> {
     pub step: &'s Step,
 }
 
-impl<R: Real> Work<R> for Restore<'_> {
-    fn run<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>, rows: &mut [Press]) {
-        if bounces_none(rows) {
+impl<R: Real> batches::Visit<R> for Restore<'_> {
+    fn visit<I: Kind<R, P>, const P: usize>(&self, batch: &mut Batch<R, P>) {
+        if !bounces(&batch.approach, &batch.surface, self.step).any() {
             return;
         }
         let [a, b] = batch.rows;
@@ -97,11 +108,12 @@ impl<R: Real> Work<R> for Restore<'_> {
         let sides = moved.map(|body| body.side);
         let t = I::touching(&batch.contact, &sides[0], &sides[1]);
         let given = restore_pair(&t, &batch.surface, &batch.approach, sides, self.step);
-        given.write(rows);
         let [one, two] = &mut moved;
         one.side.take(-given.linear, given.angular_a);
         two.side.take(given.linear, given.angular_b);
         self.live.write(one, &a, batch.moves[0]);
         self.live.write(two, &b, batch.moves[1]);
+        self.live.add(&given, false, &a, batch.moves[0]);
+        self.live.add(&given, true, &b, batch.moves[1]);
     }
 }
