@@ -2,12 +2,15 @@
 //!
 //! `cargo run --release -p ch06_compute --no-default-features --example pile -- [--engine NAME]
 //! [--method NAME] [--scene NAME] [--counts N,N,…] [--settle STEPS] [--steps STEPS] [--substeps N]
-//! [--threads N] [--csv FILE] [--sleeping]`
+//! [--threads N,N,…] [--turns N] [--csv FILE] [--sleeping]`
 //!
 //! A scene is loaded, makes its settling steps, and then the timed ones in five batches, of which the
 //! median, the fastest and the slowest are told, ms a step. Nothing is read back before a batch is done.
 //! What is left lying is measured from scene and state alone. Lines go to the standard output and, with
 //! `--csv`, into a file. With `--sleeping` a second heap of each size may sleep; it has a second line.
+//!
+//! With `--turns` all heaps settle first, and then take turns, a batch of the timed steps each and so many times: what
+//! else the machine does in the meantime is shared among them.
 
 #[path = "shared/table.rs"]
 mod table;
@@ -29,7 +32,7 @@ const ENGINES: &[EngineEntry] = &[
     ch04_ragdolls::ENGINE,
 ];
 
-/// Of the timed steps.
+/// Of the timed steps, where heaps take no turns.
 const BATCHES: u32 = 5;
 
 fn main() -> ExitCode {
@@ -39,10 +42,15 @@ fn main() -> ExitCode {
 fn run() -> Result<(), Problem> {
     let options = Options::of(std::env::args().skip(1))?;
     let mut table = Table::begin(COLUMNS, options.csv.as_ref())?;
-    for count in &options.counts {
-        table.add(&measured(&options, false, *count)?)?;
-        if options.sleeping {
-            table.add(&measured(&options, true, *count)?)?;
+    let heaps = options.heaps();
+    let together = if options.turns.is_some() {
+        heaps.len()
+    } else {
+        1
+    };
+    for heaps in heaps.chunks(together) {
+        for line in measured(&options, heaps)? {
+            table.add(&line)?;
         }
     }
     Ok(())
@@ -58,8 +66,20 @@ struct Options {
     settle: u32,
     steps: u32,
     settings: Settings,
+    /// As the engine chooses where there is none.
+    threads: Vec<Option<u32>>,
+    /// How many, if heaps take turns.
+    turns: Option<u32>,
     csv: Option<String>,
     /// Whether there is a heap that may sleep beside the one that may not.
+    sleeping: bool,
+}
+
+/// What is to be timed.
+#[derive(Clone, Copy)]
+struct Heap {
+    count: Option<u64>,
+    threads: Option<u32>,
     sleeping: bool,
 }
 
@@ -72,6 +92,8 @@ impl Options {
             settle: 600,
             steps: 200,
             settings: Settings::defaults(),
+            threads: vec![None],
+            turns: None,
             csv: None,
             sleeping: false,
         };
@@ -102,11 +124,34 @@ impl Options {
             "--steps" => self.steps = value.parse()?,
             "--method" => self.settings.method = Some(value.to_owned()),
             "--substeps" => self.settings.substeps = Some(value.parse()?),
-            "--threads" => self.settings.threads = Some(value.parse()?),
+            "--threads" => {
+                let threads = value.split(',').map(|count| count.trim().parse().map(Some));
+                self.threads = threads.collect::<Result<_, _>>()?;
+            }
+            "--turns" => self.turns = Some(value.parse::<std::num::NonZero<u32>>()?.get()),
             "--csv" => self.csv = Some(value.to_owned()),
             _ => return Err("there is no such flag".into()),
         }
         Ok(())
+    }
+
+    /// All heaps, in the order of their lines.
+    fn heaps(&self) -> Vec<Heap> {
+        let mut heaps = Vec::new();
+        for &threads in &self.threads {
+            for &count in &self.counts {
+                for sleeping in [false, true] {
+                    if self.sleeping || !sleeping {
+                        heaps.push(Heap {
+                            count,
+                            threads,
+                            sleeping,
+                        });
+                    }
+                }
+            }
+        }
+        heaps
     }
 }
 
@@ -164,9 +209,10 @@ impl Timed for Queued {
     }
 }
 
-fn load(options: &Options, sleeping: bool, scene: &Scene) -> Result<Box<dyn Timed>, Problem> {
+fn load(options: &Options, heap: Heap, scene: &Scene) -> Result<Box<dyn Timed>, Problem> {
     let settings = Settings {
-        sleeping,
+        sleeping: heap.sleeping,
+        threads: heap.threads,
         ..options.settings.clone()
     };
     if options.engine.name == ch06_compute::COMPUTE.name {
@@ -177,37 +223,78 @@ fn load(options: &Options, sleeping: bool, scene: &Scene) -> Result<Box<dyn Time
     Ok(Box::new(OneByOne(engine)))
 }
 
-fn measured(options: &Options, sleeping: bool, count: Option<u64>) -> Result<Line, Problem> {
-    let scene = Scene::open(&options.scene, count, None)?;
-    let dt = scene.dt as f32;
-    let start = Instant::now();
-    let mut timed = load(options, sleeping, &scene)?;
-    let loading = start.elapsed();
-    let start = Instant::now();
-    timed.steps(dt, options.settle);
-    let settling = start.elapsed();
-    let each = (options.steps / BATCHES).max(1);
-    let mut batches = [Duration::ZERO; BATCHES as usize];
-    for batch in &mut batches {
-        let start = Instant::now();
-        timed.steps(dt, each);
-        *batch = start.elapsed() / each;
+/// Lets heaps settle, times them in turns, and judges what is left lying.
+fn measured(options: &Options, heaps: &[Heap]) -> Result<Vec<Line>, Problem> {
+    let running = heaps.iter().map(|heap| Running::settled(options, *heap));
+    let mut running = running.collect::<Result<Vec<_>, _>>()?;
+    let turns = options.turns.unwrap_or(BATCHES);
+    let each = (options.steps / turns).max(1);
+    for _ in 0..turns {
+        for heap in &mut running {
+            if heaps.len() > 1 {
+                // The caches still hold the tables of the heap before.
+                heap.steps(1);
+            }
+            let start = Instant::now();
+            heap.steps(each);
+            heap.batches.push(start.elapsed() / each);
+        }
     }
-    batches.sort_unstable();
-    let mut state = State::default();
-    timed.engine().read_state(&mut state);
-    Ok(Line {
-        count,
-        settle: options.settle,
-        steps: each * BATCHES,
-        loading,
-        settling,
-        batches,
-        measures: Measures::of(&scene, &state),
-        fastest: fastest(&state),
-        timed,
-        scene,
-    })
+    let lines = running.into_iter();
+    Ok(lines.map(|heap| heap.judged(options, each)).collect())
+}
+
+/// A heap that is being timed.
+struct Running {
+    scene: Scene,
+    count: Option<u64>,
+    timed: Box<dyn Timed>,
+    loading: Duration,
+    settling: Duration,
+    batches: Vec<Duration>,
+}
+
+impl Running {
+    /// One that has made its settling steps.
+    fn settled(options: &Options, heap: Heap) -> Result<Self, Problem> {
+        let scene = Scene::open(&options.scene, heap.count, None)?;
+        let start = Instant::now();
+        let mut timed = load(options, heap, &scene)?;
+        let loading = start.elapsed();
+        let start = Instant::now();
+        timed.steps(scene.dt as f32, options.settle);
+        Ok(Self {
+            count: heap.count,
+            timed,
+            loading,
+            settling: start.elapsed(),
+            batches: Vec::new(),
+            scene,
+        })
+    }
+
+    fn steps(&mut self, count: u32) {
+        self.timed.steps(self.scene.dt as f32, count);
+    }
+
+    /// Its line, with what is left lying.
+    fn judged(mut self, options: &Options, each: u32) -> Line {
+        self.batches.sort_unstable();
+        let mut state = State::default();
+        self.timed.engine().read_state(&mut state);
+        Line {
+            measures: Measures::of(&self.scene, &state),
+            fastest: fastest(&state),
+            settle: options.settle,
+            steps: each * self.batches.len() as u32,
+            count: self.count,
+            loading: self.loading,
+            settling: self.settling,
+            batches: self.batches,
+            timed: self.timed,
+            scene: self.scene,
+        }
+    }
 }
 
 /// The largest speed, m/s.
@@ -226,7 +313,7 @@ struct Line {
     loading: Duration,
     settling: Duration,
     /// Time of a step in each batch, the shortest first.
-    batches: [Duration; BATCHES as usize],
+    batches: Vec<Duration>,
     timed: Box<dyn Timed>,
     measures: Measures,
     fastest: f64,
@@ -256,9 +343,12 @@ const COLUMNS: &[Column<Line>] = &[
     ("settle_steps", |line| line.settle.to_string()),
     ("settle_s", |line| seconds(line.settling)),
     ("timed_steps", |line| line.steps.to_string()),
-    ("ms_median", |line| ms(line.batches[BATCHES as usize / 2])),
+    ("ms_median", |line| ms(line.batches[line.batches.len() / 2])),
     ("ms_fastest", |line| ms(line.batches[0])),
-    ("ms_slowest", |line| ms(line.batches[BATCHES as usize - 1])),
+    (
+        "ms_slowest",
+        |line| ms(line.batches[line.batches.len() - 1]),
+    ),
     ("pairs", |line| {
         line.timed.engine().counters().pairs.to_string()
     }),
