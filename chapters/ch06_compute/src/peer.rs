@@ -24,6 +24,9 @@ pub struct Setup {
     pub cone: Cone,
     /// Its own tolerances: false takes them to 0, so that it mends what it would leave alone.
     pub tolerant: bool,
+    /// Its continuous collision detection: a body that moves farther in a step than half its thinnest extent is
+    /// swept against what nothing moves. As rapier comes it is on.
+    pub ccd: bool,
 }
 
 /// How a ball joint's cone is told to rapier.
@@ -45,7 +48,7 @@ pub struct Rapier {
 }
 
 impl Rapier {
-    /// Its own defaults throughout but those in `setup`, and that nothing sleeps and nothing is swept (CCD).
+    /// Its own defaults throughout but those in `setup`, and that nothing sleeps.
     ///
     /// # Errors
     /// What the scene has that rapier hasn't; no threads.
@@ -60,7 +63,9 @@ impl Rapier {
         world.gravity = vector(scene.gravity);
         world.integration_parameters.dt = scene.dt as f32;
         world.integration_parameters.num_solver_iterations = setup.iterations as usize;
-        world.integration_parameters.max_ccd_substeps = 0;
+        if !setup.ccd {
+            world.integration_parameters.max_ccd_substeps = 0;
+        }
         if !setup.tolerant {
             world.integration_parameters.normalized_allowed_linear_error = 0.0;
         }

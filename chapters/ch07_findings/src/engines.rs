@@ -80,7 +80,7 @@ pub const KINDS: &[Kind] = &[
     ),
     kind("xpbd", double::engine::ENGINE, "xpbd", Style::Other(4)),
     #[cfg(feature = "rapier")]
-    kind("rapier", crate::rapier::ENGINE, "shipped", Style::Other(13)),
+    kind("rapier", crate::rapier::ENGINE, "unswept", Style::Other(13)),
     #[cfg(feature = "rapier")]
     kind(
         "rapier tuned",

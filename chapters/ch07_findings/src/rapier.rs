@@ -1,6 +1,7 @@
 //! rapier3d as an engine of the laboratory, behind the feature `rapier`: the same scenes, the same measures,
-//! on one thread. `shipped` is as it comes; `tuned` has 16 substeps, which it calls iterations, for 4, and
-//! mends overlaps that it would leave alone. Neither lets anything sleep, and neither sweeps.
+//! on one thread. `shipped` is as it comes; `unswept` is the same without its continuous collision detection;
+//! `tuned` is without it too, has 16 substeps, which it calls iterations, for 4, and mends overlaps that it would
+//! leave alone. None lets anything sleep.
 
 use std::sync::Mutex;
 
@@ -14,7 +15,7 @@ use ch06_compute::peer::{Cone, Rapier, Setup};
 pub const ENGINE: EngineEntry = EngineEntry {
     name: "rapier",
     chapter: "ch07_findings",
-    methods: &[SHIPPED, TUNED],
+    methods: &[SHIPPED, UNSWEPT, TUNED],
     load,
 };
 
@@ -22,9 +23,13 @@ const SHIPPED: Method = Method {
     name: "shipped",
     about: "rapier3d 0.36.1 with its own settings",
 };
+const UNSWEPT: Method = Method {
+    name: "unswept",
+    about: "rapier3d 0.36.1 with its own settings, without its continuous collision detection",
+};
 const TUNED: Method = Method {
     name: "tuned",
-    about: "rapier3d 0.36.1 with 16 iterations and no allowed overlap",
+    about: "rapier3d 0.36.1 with 16 iterations and no allowed overlap, without continuous collision detection",
 };
 
 /// A run.
@@ -37,12 +42,13 @@ struct Run {
 
 fn load(scene: &Scene, settings: &Settings) -> Loaded {
     let method = ENGINE.method(settings)?;
-    let tolerant = *method == SHIPPED;
+    let tolerant = *method != TUNED;
     let setup = Setup {
         threads: settings.threads.unwrap_or(1),
         iterations: settings.substeps.unwrap_or(if tolerant { 4 } else { 16 }),
         cone: Cone::Coupled,
         tolerant,
+        ccd: *method == SHIPPED,
     };
     let world = Rapier::load(scene, setup).map_err(|why| refused(scene, why.to_string()))?;
     Ok(Box::new(Run {

@@ -110,6 +110,7 @@ fn entrants(options: &Options, scene: &Scene) -> Result<Vec<Entrant>, Problem> {
                 iterations: options.iterations,
                 cone: *cone,
                 tolerant: true,
+                ccd: false,
             };
             runners.push(Box::new(Rapier::load(scene, setup)?));
         }

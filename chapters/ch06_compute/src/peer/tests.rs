@@ -10,6 +10,7 @@ fn setup(cone: Cone) -> Setup {
         iterations: 4,
         cone,
         tolerant: true,
+        ccd: false,
     }
 }
 
@@ -179,6 +180,31 @@ fn a_distance_holds_what_hangs_from_it() {
     scene.bodies[1].position = DVec3::NEG_Y * 1.3;
     let state = after(&scene, setup(Cone::Coupled), LONG);
     assert!(joint_separation(&scene, &state).unwrap() < 1e-3);
+}
+
+/// A ball at 100 m/s and a wall of 0.1 m that nothing moves, at 60 Hz.
+#[test]
+fn continuous_detection_holds_a_fast_ball_at_a_wall() {
+    let mut scene = Scene::new("wall");
+    scene.gravity = DVec3::ZERO;
+    let wall = Shape::Box {
+        half_extents: DVec3::new(0.05, 2.0, 2.0),
+    };
+    let mut ball = Body::new(
+        Shape::Sphere { radius: 0.1 },
+        1.0,
+        DVec3::new(-1.0, 0.0, 0.0),
+    );
+    ball.linear_velocity = DVec3::X * 100.0;
+    scene.bodies = vec![Body::new(wall, 0.0, DVec3::ZERO), ball];
+    let passes = |ccd| {
+        let setup = Setup {
+            ccd,
+            ..setup(Cone::Coupled)
+        };
+        after(&scene, setup, 30).position[1].x > 0.0
+    };
+    assert!(passes(false) && !passes(true));
 }
 
 /// What its four iterations leave, ten times as many don't: the limits are ours, the error is its own.

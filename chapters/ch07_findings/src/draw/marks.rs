@@ -24,7 +24,7 @@ enum Shape {
 const RADIUS: f64 = 4.0;
 
 /// Colours and shapes of what is neither printed nor corrected, in turn.
-const OTHERS: [(Ink, Shape); 16] = [
+const OTHERS: [(Ink, Shape); 17] = [
     (Ink::full((0x00, 0x9E, 0x73)), Shape::Triangle),
     (Ink::full((0xCC, 0x79, 0xA7)), Shape::Diamond),
     (Ink::full((0xC8, 0x88, 0x00)), Shape::Down),
@@ -41,6 +41,7 @@ const OTHERS: [(Ink, Shape); 16] = [
     (Ink::full((0xE0, 0x40, 0x30)), Shape::Diamond),
     (Ink::full((0xA0, 0x20, 0x18)), Shape::Down),
     (Ink::full((0x5B, 0x6A, 0xC4)), Shape::Square),
+    (Ink::full((0xDD, 0x6B, 0x5E)), Shape::Cross),
 ];
 
 /// The colours of a bar's parts, in order: neighbours are light and dark in turn.

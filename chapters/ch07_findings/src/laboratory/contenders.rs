@@ -77,6 +77,10 @@ const fn rapier(name: &'static str, method: &'static str, style: Style) -> Conte
     }
 }
 
+/// Rapier with its continuous collision detection. Where nothing moves far in a step it takes the same steps as
+/// without, bit for bit.
+pub const WITH_CCD: &str = "rapier with CCD";
+
 /// All of them, in the order of the charts: those that solve contacts and joints, then integrators of bodies
 /// that are alone.
 pub const CONTENDERS: &[Contender] = &[
@@ -99,7 +103,9 @@ pub const CONTENDERS: &[Contender] = &[
     usual("xpbd", Style::Other(4)),
     usual("direct-joints", Style::Other(15)),
     #[cfg(feature = "rapier")]
-    rapier("rapier", "shipped", Style::Other(13)),
+    rapier("rapier", "unswept", Style::Other(13)),
+    #[cfg(feature = "rapier")]
+    rapier(WITH_CCD, "shipped", Style::Other(16)),
     #[cfg(feature = "rapier")]
     rapier("rapier tuned", "tuned", Style::Other(14)),
     usual("constant-spin", Style::Other(5)),

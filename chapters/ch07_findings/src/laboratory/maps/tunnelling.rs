@@ -3,6 +3,7 @@
 
 use super::{Map, Who, thinned};
 use crate::chart::{Axis, Class};
+use crate::laboratory::contenders::WITH_CCD;
 use crate::laboratory::scenario::timed;
 use crate::laboratory::scenarios::tunnelling::{HALF_WALL, RADIUS, behind, scene};
 use crate::tunnelling::margin;
@@ -33,9 +34,10 @@ pub const MAP: Map = Map {
         let corrected = Who::all(["corrected"]).map(afar);
         all.extend(corrected.map(|who| who.line(unseen).line(crosses)));
         let found_too_late = |who: Who| who.law(Class::Held, crosses).line(unseen);
-        all.extend(Who::all(["rapier", "rapier tuned"]).map(found_too_late));
+        all.extend(Who::all(["rapier"]).map(found_too_late));
         // Those look along the way of a step.
         let names = [
+            WITH_CCD,
             "own-row",
             "coloured",
             "sequential-impulses",
