@@ -68,13 +68,13 @@ const CLAIMS: &[Claim] = &[
         microseconds,
     ),
     claim(
-        "Runge and Kutta's method 4·10⁻⁶ for 25",
+        "the Runge–Kutta method 4·10⁻⁶ for 25",
         "4",
         ("free_top", "runge-kutta", 60),
         |cell| 1e6 * cell.error,
     ),
     claim(
-        "Runge and Kutta's method 4·10⁻⁶ for 25",
+        "the Runge–Kutta method 4·10⁻⁶ for 25",
         "25",
         ("free_top", "runge-kutta", 60),
         microseconds,

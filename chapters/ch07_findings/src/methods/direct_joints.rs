@@ -38,6 +38,7 @@ pub fn step(world: &mut World, dt: Real, knobs: Knobs) {
 }
 // ANCHOR_END: step
 
+// ANCHOR: fly
 /// Everything moves on, and turns as in free space: angular momenta stay, spins don't.
 fn fly(world: &mut World, h: Real) {
     let bodies = &mut world.bodies;
@@ -53,6 +54,7 @@ fn fly(world: &mut World, h: Real) {
         }
     }
 }
+// ANCHOR_END: fly
 
 /// Limits that are reached or may be in the substep, afresh: they begin with nothing.
 fn limits(world: &World, h: Real) -> Vec<Ready> {
