@@ -1,4 +1,4 @@
-// Angle limits, an invocation a limit: it reads both bodies and writes its own turning impulses.
+// Angle limits, an invocation a limit: it reads both bodies and writes its own angular impulses.
 // Needs common/index, common/trigonometry, common/rotation, common/rotation_vector, common/swing_twist,
 // rows, common/side, common/symmetric, common/point_reply, common/limit.
 

@@ -60,7 +60,7 @@ fn parting_at(link: Link, sides: ptr<function, Sides>) -> vec3f {
         - (*sides).a.velocity - cross((*sides).a.angular_velocity, link.parent_arm);
 }
 
-// The turning impulse across a hinge's axis that makes the relative spin there what is wanted.
+// The angular impulse across a hinge's axis that makes the relative spin there what is wanted.
 fn aligning(axis: vec3f, wanted: vec3f, sides: ptr<function, Sides>) -> vec3f {
     let u = across(axis);
     let w = cross(axis, u);

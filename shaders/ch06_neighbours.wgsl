@@ -258,6 +258,7 @@ fn list(finding: ptr<function, Finding>, own: u32, member: u32, goes: bool) {
     for (var other = 1u; other <= member; other++) {
         before += counts[own - other];
     }
+    // ANCHOR: room
     let fits = count <= room_to_note() && before + count <= grid.room;
     for (var k = 0u; goes && fits && k < count; k++) {
         take_over(finding, noted(finding, k), before + k);
@@ -268,6 +269,7 @@ fn list(finding: ptr<function, Finding>, own: u32, member: u32, goes: bool) {
     if goes && !fits {
         atomicMax(&status[NEEDED], max(before + count, grid.room + 1u));
     }
+    // ANCHOR_END: room
     if TEAM > 1u {
         sums[own] = Sum((*finding).held, (*finding).counting);
         workgroupBarrier();

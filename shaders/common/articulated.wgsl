@@ -27,9 +27,9 @@ fn wrench_at(wrench: Wrench, arm: vec3f) -> Wrench {
 struct Articulated {
     // A: the impulse that goes with a velocity, kg.
     mass: Symmetric,
-    // C: the turning impulse that goes with a velocity, kg m; a column an axis.
+    // C: the angular impulse that goes with a velocity, kg m; a column an axis.
     coupling: mat3x3f,
-    // D: the turning impulse that goes with an angular velocity, kg m².
+    // D: the angular impulse that goes with an angular velocity, kg m².
     inertia: Symmetric,
 }
 // ANCHOR_END: articulated

@@ -97,7 +97,7 @@ fn fold(kind: u32, link: Link, bone: Bone, body: Carried) -> Folded {
 // ANCHOR_END: fold
 
 // ANCHOR: fold_point
-// A joint about whose point the body turns freely: it gives way until no turning impulse is left. What is
+// A joint about whose point the body turns freely: it gives way until no angular impulse is left. What is
 // felt at the point is the mass K = A − Cᵀ D⁻¹ C.
 fn fold_point(kind: u32, link: Link, bone: Bone, at_joint: Carried) -> Folded {
     let c = at_joint.articulated.coupling;
@@ -184,7 +184,7 @@ fn fold_rods(kind: u32, link: Link, kept: Kept) -> Carried {
 // ANCHOR_END: fold_rods
 
 // ANCHOR: fold_hinge
-// A hinge: the body gives way about its axis alone, until no turning impulse is left along that.
+// A hinge: the body gives way about its axis alone, until no angular impulse is left along that.
 fn fold_hinge(link: Link, bone: Bone, at_joint: Carried) -> Folded {
     let body = at_joint.articulated;
     let axis = link.along;

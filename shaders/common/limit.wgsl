@@ -1,4 +1,4 @@
-// What an angle limit does in a substep: it reads both bodies and mends its own turning impulses. Names as in
+// What an angle limit does in a substep: it reads both bodies and mends its own angular impulses. Names as in
 // `ch06_compute::own_row::limits`, where it is told.
 // Needs common/trigonometry, common/rotation, common/rotation_vector, common/swing_twist, rows, common/side,
 // common/symmetric, common/point_reply.
@@ -94,7 +94,7 @@ fn pinned_of(limit: Limit, sides: ptr<function, Sides>) -> Pinned {
     return Pinned(arm_a, arm_b, symmetric_inverse(reply, (*sides).a.shared_mass + (*sides).b.shared_mass));
 }
 
-// How a turning impulse on b, and its opposite on a, changes the spins of both.
+// How an angular impulse on b, and its opposite on a, changes the spins of both.
 struct Spins {
     a: vec3f,
     b: vec3f,
@@ -111,7 +111,7 @@ fn turned_by(pinned: Pinned, sides: ptr<function, Sides>, turning: vec3f) -> Spi
     );
 }
 
-// The relative spin that a turning impulse makes.
+// The relative spin that an angular impulse makes.
 fn spin_of(pinned: Pinned, sides: ptr<function, Sides>, turning: vec3f) -> vec3f {
     let spins = turned_by(pinned, sides, turning);
     return spins.b - spins.a;

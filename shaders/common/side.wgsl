@@ -50,7 +50,7 @@ fn world_inertia(q: vec4f, diagonal: vec3f) -> mat3x3f {
     return scaled * transpose(r);
 }
 
-// What an impulse on b and its opposite on a, and a turning impulse on each, make of the two: with the
+// What an impulse on b and its opposite on a, and an angular impulse on each, make of the two: with the
 // shares of their masses, as if nothing else acted.
 fn take_both(sides: ptr<function, Sides>, impulse: vec3f, turning_a: vec3f, turning_b: vec3f) {
     (*sides).a.velocity -= impulse * (*sides).a.shared_mass;

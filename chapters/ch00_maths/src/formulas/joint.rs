@@ -34,7 +34,7 @@ fn crossing(t: Vec3) -> Mat3 {
 // ANCHOR_END: pin_matrix
 
 // ANCHOR: turn_response
-/// g·(M₁ + M₂) g: how much g·(ω₂ − ω₁) changes by a unit turning impulse g, 1/(kg m²).
+/// g·(M₁ + M₂) g: how much g·(ω₂ − ω₁) changes by a unit angular impulse g, 1/(kg m²).
 #[inline]
 #[must_use]
 pub fn turn_response(mass_1: &Mass, mass_2: &Mass, g: Vec3) -> Real {
@@ -46,7 +46,7 @@ pub fn turn_response(mass_1: &Mass, mass_2: &Mass, g: Vec3) -> Real {
 /// How two pinned bodies turn against each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lever {
-    /// g: turning impulse on the child; the parent gets its opposite.
+    /// g: angular impulse on the child; the parent gets its opposite.
     pub turn: Vec3,
     /// Impulse at the pin on the parent that goes with it; the child gets its opposite.
     pub pin: Vec3,
@@ -54,7 +54,7 @@ pub struct Lever {
     pub response: Real,
 }
 
-/// How the two turn about the pin: a unit turning impulse g on the child, and its opposite on the
+/// How the two turn about the pin: a unit angular impulse g on the child, and its opposite on the
 /// parent, would also part the points; the lever's impulse at the pin keeps them together. K⁻¹ is
 /// the inverse of [`pin_matrix`].
 #[inline]

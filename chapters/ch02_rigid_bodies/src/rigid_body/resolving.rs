@@ -38,7 +38,7 @@ impl RigidBody {
         self.moving = impulse::applied(self.moving, &self.answers, r, impulse);
     }
 
-    /// A turning impulse, N m s, world axes.
+    /// An angular impulse, N m s, world axes.
     pub fn twist(&mut self, impulse: Vec3) {
         self.moving.omega += self.answers.moment(impulse);
     }
@@ -88,7 +88,7 @@ impl RigidBody {
         self.turn += self.answers.moment(r.cross(impulse));
     }
 
-    /// The same for a positional turning impulse, kg m².
+    /// The same for a positional angular impulse, kg m².
     pub fn nudge_turn(&mut self, impulse: Vec3) {
         self.turn += self.answers.moment(impulse);
     }
@@ -125,7 +125,7 @@ impl RigidBody {
         self.displace_about(r, impulse, Vec3::ZERO);
     }
 
-    /// The same together with a positional turning impulse, kg m².
+    /// The same together with a positional angular impulse, kg m².
     pub fn displace_about(&mut self, r: Vec3, impulse: Vec3, turning: Vec3) {
         let turn = self.answers.moment(r.cross(impulse) + turning);
         self.displace(impulse * self.inverse_mass, turn);

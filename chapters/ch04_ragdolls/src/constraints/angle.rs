@@ -26,7 +26,7 @@ struct LimitedTurn {
     lever: Lever,
     /// Largest rate against the axis, rad/s, at which the limit isn't passed in the next step.
     slack: f32,
-    /// The turning impulse by which it has been nudged in this step, kg m².
+    /// The angular impulse by which it has been nudged in this step, kg m².
     nudged: f32,
     /// What held it in the last step, N m s.
     impulse: f32,

@@ -71,7 +71,7 @@ pub enum Bound {
 
 impl Bound {
     // ANCHOR: bound
-    /// The sum of turning impulses with one more: a limit pushes back only.
+    /// The sum of angular impulses with one more: a limit pushes back only.
     #[must_use]
     pub fn accumulated(self, sum: f32, change: f32) -> f32 {
         if self == Self::Fixed {
@@ -81,7 +81,7 @@ impl Bound {
         }
     }
 
-    /// The turning impulse, N m s, with which a limit holds whose angle changes at `rate` and may
+    /// The angular impulse, N m s, with which a limit holds whose angle changes at `rate` and may
     /// change against its axis at `slack`, rad/s, at most.
     #[must_use]
     pub fn held(self, impulse: f32, rate: f32, slack: f32, response: f32) -> f32 {

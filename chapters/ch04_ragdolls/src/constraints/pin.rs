@@ -77,7 +77,7 @@ impl PinConstraint {
         self.yielding = pin_matrix(parent.answers(), t1, child.answers(), t2).inverse();
     }
 
-    /// How the two turn about the pin by turning impulses along g.
+    /// How the two turn about the pin by angular impulses along g.
     #[must_use]
     pub fn lever(&self, parent: &RigidBody, child: &RigidBody, g: Vec3) -> Lever {
         let Arms { t1, t2, .. } = self.arms;
@@ -144,7 +144,7 @@ impl PinConstraint {
     // ANCHOR_END: hold
 
     // ANCHOR: turn
-    /// Turns the two about the pin by a turning impulse of this size, N m s, along a lever.
+    /// Turns the two about the pin by an angular impulse of this size, N m s, along a lever.
     pub fn turn(
         &mut self,
         lever: &Lever,
@@ -161,7 +161,7 @@ impl PinConstraint {
     }
     // ANCHOR_END: turn
 
-    /// The same with positions: a turning impulse in kg m², of nudges.
+    /// The same with positions: an angular impulse in kg m², of nudges.
     pub fn nudge_turn(
         &self,
         lever: &Lever,

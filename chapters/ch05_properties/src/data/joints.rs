@@ -106,15 +106,15 @@ crate::table! {
         room: f32, "room", "rad";
         /// 0 free, 1 from below, 2 from above, 3 fixed.
         bound: u32, "bound", "";
-        /// Impulse at the pin that goes with a unit turning impulse.
+        /// Impulse at the pin that goes with a unit angular impulse.
         pin: Vec3, "lever", "1/m";
-        /// What a unit turning impulse changes.
+        /// What a unit angular impulse changes.
         response: f32, "w_g", "1/(kg m²)";
         /// Largest rate against g at which the limit isn't passed in the next step.
         slack: f32, "slack", "rad/s";
-        /// The turning impulse by which it has been nudged.
+        /// The angular impulse by which it has been nudged.
         nudged: f32, "s_g", "kg m²";
-        /// The turning impulse that held it in the last step.
+        /// The angular impulse that held it in the last step.
         impulse: f32, "G", "N m s";
         /// How far beyond the limit the last step left it.
         left: f32, "g*", "rad";

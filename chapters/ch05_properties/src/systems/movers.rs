@@ -326,7 +326,7 @@ impl<I: Inertia> Turning<'_, I> {
         self.spin[row] = moving.omega;
     }
 
-    /// A turning impulse, N m s.
+    /// An angular impulse, N m s.
     #[inline]
     pub fn twist(&mut self, row: usize, impulse: Vec3) {
         self.spin[row] += self.inverse_inertia[row].moment(impulse);
@@ -339,7 +339,7 @@ impl<I: Inertia> Turning<'_, I> {
         self.turn[row] += self.inverse_inertia[row].moment(r.cross(impulse));
     }
 
-    /// A positional turning impulse, kg m².
+    /// A positional angular impulse, kg m².
     #[inline]
     pub fn nudge_turn(&mut self, row: usize, impulse: Vec3) {
         self.turn[row] += self.inverse_inertia[row].moment(impulse);

@@ -1,7 +1,7 @@
 //! Angle limits as rows: how far a body may turn away from its rest in another, by chapter 4's swing and
 //! twist.
 //!
-//! A limit reads both bodies and writes its own turning impulses, from the same velocities as the contacts
+//! A limit reads both bodies and writes its own angular impulses, from the same velocities as the contacts
 //! do and with the same shares of the masses. Each of its up to three turns has a unit axis u, a rate
 //! u·(ω_b − ω_a) and a room C that is left until the bound. [`super::contact`] says why shares.
 //!
@@ -176,7 +176,7 @@ pub fn turns<R: Real>(limit: &Bounds<R>, a: Quat<R>, b: Quat<R>) -> [Bounded<R>;
 // ANCHOR_END: turns
 
 // ANCHOR: pinned
-/// The joint's point, about which both turn: what a limit's turning impulse would part there, an impulse
+/// The joint's point, about which both turn: what a limit's angular impulse would part there, an impulse
 /// at the point keeps together.
 ///
 /// Two bodies that turn about a point answer less than free ones, and a limit that took them for free
@@ -204,7 +204,7 @@ impl<R: Real> Pinned<R> {
         }
     }
 
-    /// How a turning impulse on b, and its opposite on a, changes the spins of both.
+    /// How an angular impulse on b, and its opposite on a, changes the spins of both.
     #[inline(always)]
     fn turned_by(&self, a: &Side<R>, b: &Side<R>, turning: Vec3<R>) -> [Vec3<R>; 2] {
         let turn_a = a.shared_inertia.times(turning);
@@ -217,7 +217,7 @@ impl<R: Real> Pinned<R> {
         ]
     }
 
-    /// The relative spin that a turning impulse makes.
+    /// The relative spin that an angular impulse makes.
     #[inline(always)]
     fn spin_of(&self, a: &Side<R>, b: &Side<R>, turning: Vec3<R>) -> Vec3<R> {
         let [spin_a, spin_b] = self.turned_by(a, b, turning);
@@ -237,7 +237,7 @@ impl<R: Real> Pinned<R> {
 // ANCHOR_END: pinned
 
 // ANCHOR: solve_limit
-/// A substep of a limit: it mends its turning impulses so that the bodies, with the share of their masses
+/// A substep of a limit: it mends its angular impulses so that the bodies, with the share of their masses
 /// that it has, don't turn beyond a bound. `before` is what it gave them in the last substep, which they
 /// started this one with; it works now only if it counted then.
 #[inline(always)]
@@ -333,7 +333,7 @@ fn returning<R: Real>(beyond: R, h: f32) -> R {
 }
 
 /// The turning push that turns back what is beyond a bound, N m s, where others push at this rate.
-/// `sharing` is the turning impulse that goes with a rate, kg m².
+/// `sharing` is the angular impulse that goes with a rate, kg m².
 #[inline(always)]
 fn pushed_back<R: Real>(turn: &Bounded<R>, pushed: R, sharing: R, h: f32) -> R {
     let (zero, most) = (R::splat(0.0), R::splat(FASTEST_TURN));

@@ -158,7 +158,7 @@ pub fn point_reply<R: Real>(side: &Side<R>, arm: Vec3<R>) -> Symmetric<R> {
 }
 // ANCHOR_END: point_reply
 
-/// The turning impulse across a hinge's axis that makes the relative spin there what is wanted.
+/// The angular impulse across a hinge's axis that makes the relative spin there what is wanted.
 fn aligning(axis: Vec3<f32>, wanted: Vec3<f32>, a: &Side<f32>, b: &Side<f32>) -> Vec3<f32> {
     let [u, w] = across(axis);
     let lacks = wanted - (b.angular_velocity - a.angular_velocity);

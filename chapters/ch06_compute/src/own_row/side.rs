@@ -130,7 +130,7 @@ impl<R: Real, I: Turns<R>> Side<R, I> {
 // ANCHOR_END: side_of
 
 impl<R: Real, I: Inertia<R>> Side<R, I> {
-    /// The same body, moved by an impulse through its origin and a turning impulse: what the row alone
+    /// The same body, moved by an impulse through its origin and an angular impulse: what the row alone
     /// makes of it.
     #[inline(always)]
     pub fn take(&mut self, impulse: Vec3<R>, turning: Vec3<R>) {

@@ -191,9 +191,9 @@ pub fn pulled<R: Real>(node: &Limb<R>, link: &Link<R>, felt: Carried<R>, h: f32)
 /// The inertia of a body that is pulled at an arm's end, as it was in the last substep.
 ///
 /// A pull along the arm holds the body as gravity holds a pendulum: if it turns by θ across the arm, the
-/// pull turns it back with −K θ, K = r·λ/h. A taut chain of light links is full of such pendulums, of up
-/// to √(12 F/(m l)) rad/s, and a substep that only looks at where they are blows them up when h²K/I
-/// passes 4. With ¼ h²K more of inertia it never does: that is the trapezoidal rule. It changes nothing
+/// pull turns it back with −κ θ, κ = r·λ/h. A taut chain of light links is full of such pendulums, of up
+/// to √(12 F/(m l)) rad/s, and a substep that only looks at where they are blows them up when h²κ/I
+/// passes 4. With ¼ h²κ more of inertia it never does: that is the trapezoidal rule. It changes nothing
 /// but how fast the fastest of them swing. [Tournier, Nesme, Gilles and Faure 2015]
 #[inline(always)]
 #[must_use]

@@ -6,6 +6,7 @@ use glam::{Quat, Vec3};
 use super::layout::rows;
 
 rows! {
+    // ANCHOR: mover
     /// How a ball moves and turns: the 32 bytes that its neighbours gather beside its place.
     pub struct Mover {
         /// World velocity of its centre.
@@ -17,6 +18,7 @@ rows! {
         /// 0 for a ball that can't move.
         inverse_mass: f32, "1/m", "1/kg";
     }
+    // ANCHOR_END: mover
 
     /// What stays with a ball when rows move.
     pub struct Ball {

@@ -14,6 +14,7 @@ rows! {
         /// Radius of the ball about its origin that holds it.
         reach: f32, "r", "m";
     }
+    // ANCHOR_END: place
 
     /// How a body moves.
     pub struct Motion {
@@ -22,7 +23,6 @@ rows! {
         /// Among how many active pairs its mass is shared, at least 1.
         shares: f32, "n", "";
     }
-    // ANCHOR_END: place
 
     /// How a body turns.
     pub struct Spin {

@@ -67,7 +67,7 @@ rows! {
         impulse: Vec3, "λ", "N s";
         /// Length of the second rod.
         second_length: f32, "l₂", "m";
-        /// The turning impulse of a hinge that closes a loop, beyond that of its impulse at the point.
+        /// The angular impulse of a hinge that closes a loop, beyond that of its impulse at the point.
         turning: Vec3, "λ_w", "N m s";
         /// Row of the body that the second rod hangs on; 4294967295 for none.
         second_parent: u32, "", "";

@@ -153,7 +153,7 @@ rows! {
         stays_linear: Vec3, "P", "N s";
         /// How many pairs and loops count.
         touches: f32, "", "";
-        /// Those turning impulses.
+        /// Those angular impulses.
         stays_angular: Vec3, "T", "N m s";
         /// Unused.
         spare_2: f32, "", "";
@@ -173,7 +173,7 @@ rows! {
         linear: Vec3, "P", "N s";
         /// Unused.
         spare_1: f32, "", "";
-        /// The turning impulse.
+        /// The angular impulse.
         angular: Vec3, "T", "N m s";
         /// Unused.
         spare_2: f32, "", "";

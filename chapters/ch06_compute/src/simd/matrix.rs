@@ -60,7 +60,7 @@ impl<R: Real> Mul<Vec3<R>> for Mat3<R> {
 }
 
 // ANCHOR: inertia
-/// How a body answers to turning impulses: a matrix in general, a number for a ball.
+/// How a body answers to angular impulses: a matrix in general, a number for a ball.
 pub trait Inertia<R: Real>: Copy {
     /// Whether all that presses goes through its centre, as it does on a ball: then it turns nothing.
     const CENTRAL: bool = false;
@@ -68,7 +68,7 @@ pub trait Inertia<R: Real>: Copy {
     /// Whether the pair has friction: where it has none, nothing of it is computed.
     const RUBS: bool = true;
 
-    /// I⁻¹ T: what a turning impulse makes of the spin.
+    /// I⁻¹ T: what an angular impulse makes of the spin.
     fn answer(self, turning: Vec3<R>) -> Vec3<R>;
 }
 

@@ -30,7 +30,7 @@ fn rows(limits: &Limits, limit: usize, parent: Quat, child: Quat) -> [Row; MOST_
     .rows(parent, limits.rest[limit], child)
 }
 
-/// How the two turn about their pin by turning impulses along g.
+/// How the two turn about their pin by angular impulses along g.
 #[inline]
 fn lever_at(
     tables: &Assembly<'_>,

@@ -85,9 +85,9 @@ impl<R: Real> Wrench<R> {
 pub struct Articulated<R> {
     /// A: the impulse that goes with a velocity, kg.
     pub mass: Symmetric<R>,
-    /// C: the turning impulse that goes with a velocity, kg m; a column an axis.
+    /// C: the angular impulse that goes with a velocity, kg m; a column an axis.
     pub coupling: Mat3<R>,
-    /// D: the turning impulse that goes with an angular velocity, kg m².
+    /// D: the angular impulse that goes with an angular velocity, kg m².
     pub inertia: Symmetric<R>,
 }
 // ANCHOR_END: articulated

@@ -91,7 +91,7 @@ pub fn fold<R: Real>(
 // ANCHOR_END: fold
 
 // ANCHOR: fold_point
-/// A joint about whose point the body turns freely: it gives way until no turning impulse is left. What
+/// A joint about whose point the body turns freely: it gives way until no angular impulse is left. What
 /// is felt at the point is the mass K = A − Cᵀ D⁻¹ C.
 #[inline(always)]
 // ANCHOR: felt_mass
@@ -194,7 +194,7 @@ fn fold_rods<R: Real>(kind: u32, link: &Link<R>, kept: &Kept<R>) -> Carried<R> {
 // ANCHOR_END: fold_rods
 
 // ANCHOR: fold_hinge
-/// A hinge: the body gives way about its axis alone, until no turning impulse is left along that.
+/// A hinge: the body gives way about its axis alone, until no angular impulse is left along that.
 #[inline(always)]
 fn fold_hinge<R: Real>(
     link: &Link<R>,

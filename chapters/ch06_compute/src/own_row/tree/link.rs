@@ -120,7 +120,7 @@ pub fn link_of<R: Real>(
 // ANCHOR: closing
 /// How fast a gap closes. Joints of a tree are solved together and last, so no blow and no push parts
 /// them; what opens a gap is that the end of a turning arm leaves its circle along the tangent, by
-/// d = ½ h² ω² r in a substep. Where a share s of a gap is closed, d/s of it remains.
+/// d = ½ h² ω² r in a substep. Where a share β of a gap is closed, d/β of it remains.
 #[inline(always)]
 fn closing<R: Real>(gap: Vec3<R>, gentle: f32, fastest: f32, h: f32) -> Vec3<R> {
     let all = at_most(gap * R::splat(1.0 / h), gentle);
