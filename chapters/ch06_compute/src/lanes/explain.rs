@@ -125,7 +125,7 @@ fn explain_broad_phase(broad: &BroadPhase) -> String {
             if steps > 0 {
                 let _ = writeln!(text, "tree: {leaves} leaves for {bodies} bodies");
             }
-            let _ = writeln!(text, "broad phase: a KD-tree: {why}");
+            let _ = writeln!(text, "broad phase: a bounding volume hierarchy: {why}");
         }
     }
     if steps == 0 {

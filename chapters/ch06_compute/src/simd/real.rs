@@ -24,6 +24,7 @@ pub type Widest = Four;
 /// The most lanes that a number has here.
 pub const MOST_LANES: usize = 8;
 
+// ANCHOR: real
 /// A number in each lane.
 pub trait Real:
     Copy
@@ -41,7 +42,6 @@ pub trait Real:
     + SubAssign
     + MulAssign
 {
-    // ANCHOR: real
     /// Yes or no in each lane.
     type Mask: Mask;
 

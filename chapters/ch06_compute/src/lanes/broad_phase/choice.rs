@@ -13,7 +13,7 @@ pub enum Way {
     /// Grids by size.
     #[default]
     Grids,
-    /// A KD-tree.
+    /// A bounding volume hierarchy.
     Tree,
 }
 

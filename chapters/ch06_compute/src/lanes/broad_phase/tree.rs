@@ -1,4 +1,4 @@
-//! A KD-tree of boxes, as columns: chapter 3's, without pointers. Boxes are halved at the median of their centres,
+//! A bounding volume hierarchy, as columns, without pointers. Boxes are halved at the median of their centres,
 //! again and again, so that those which are near each other lie together; a node is nothing but the box about
 //! all that is below it.
 //!
