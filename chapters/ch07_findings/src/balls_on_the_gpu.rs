@@ -68,8 +68,8 @@ const ON_THREADS: &str = "lanes on threads";
 /// The last of [`KINDS`].
 const COMPUTE: &str = "compute";
 
-/// What was asked for of the GPU: so many balls in so many ms.
-const ASKED: [(f64, f64); 5] = [
+/// The budget of the GPU: so many balls in so many ms.
+const BUDGET: [(f64, f64); 5] = [
     (1e3, 0.15),
     (1e4, 0.20),
     (1e5, 0.35),
@@ -77,10 +77,10 @@ const ASKED: [(f64, f64); 5] = [
     (1e6, 2.5),
 ];
 /// And so deep an overlap at the 99th percentile, and at most, in radii.
-const ASKED_DEPTHS: [f64; 2] = [0.01, 0.05];
-/// From so many balls on the growth is told, and at most N to this power of it is asked for.
+const BUDGET_DEPTHS: [f64; 2] = [0.01, 0.05];
+/// From so many balls on the growth is told, and the budget is N to this power of it at most.
 const GROWS_FROM: f64 = 1e4;
-const ASKED_GROWTH: f64 = 1.05;
+const BUDGET_GROWTH: f64 = 1.05;
 
 /// Lays out pictures, CSV and page; nothing is measured.
 ///
@@ -130,7 +130,7 @@ fn times(samples: &[Sample]) -> Chart {
         .iter()
         .filter(|kind| of(samples, kind.engine).next().is_some());
     let mut series: Vec<Series> = present.map(curve).collect();
-    series.push(Series::new("asked for of an H200", Style::Theory, ASKED));
+    series.push(Series::new("budget for an H200", Style::Theory, BUDGET));
     let growth = growth_in_words(samples);
     let growth = growth.map_or(String::new(), |words| {
         format!("; on the GPU it grows {words}")
@@ -169,8 +169,8 @@ fn depths(samples: &[Sample]) -> Chart {
     let mut counts: Vec<f64> = samples.iter().map(|sample| sample.balls).collect();
     counts.sort_by(f64::total_cmp);
     counts.dedup();
-    let names = ["asked for: 0.01 and 0.05", ""];
-    let limits = names.iter().zip(ASKED_DEPTHS);
+    let names = ["budget: 0.01 and 0.05", ""];
+    let limits = names.iter().zip(BUDGET_DEPTHS);
     series.extend(limits.map(|(name, depth)| Series::of(name, Style::Theory, &counts, |_| depth)));
     Chart {
         name: "balls_on_the_gpu_depths",
@@ -184,9 +184,9 @@ fn depths(samples: &[Sample]) -> Chart {
     }
 }
 
-/// What was asked for of the GPU with so many balls, ms.
-fn asked(sample: &Sample) -> Option<f64> {
-    let found = ASKED.iter().find(|(balls, _)| *balls == sample.balls);
+/// The GPU's budget with so many balls, ms.
+fn budget(sample: &Sample) -> Option<f64> {
+    let found = BUDGET.iter().find(|(balls, _)| *balls == sample.balls);
     found
         .filter(|_| sample.engine == COMPUTE)
         .map(|(_, ms)| *ms)

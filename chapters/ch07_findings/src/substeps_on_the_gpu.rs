@@ -19,11 +19,11 @@ const SOURCE: Source = Source {
 /// What its scenes are made of.
 const SCENES: [(&str, &str); 2] = [("pile", "balls"), ("ragdoll_field", "ragdolls")];
 /// So deep an overlap is allowed to balls at most, in radii.
-const ASKED: f64 = 0.05;
+const BUDGET: f64 = 0.05;
 /// And 99 of 100.
-const ASKED_P99: f64 = 0.01;
-/// What was asked for: the scene, how many, in so many ms.
-const ASKED_TIMES: [(&str, f64, f64); 5] = [
+const BUDGET_P99: f64 = 0.01;
+/// The budget: the scene, how many, in so many ms.
+const BUDGET_TIMES: [(&str, f64, f64); 5] = [
     ("pile", 1e4, 0.20),
     ("pile", 1e5, 0.35),
     ("pile", 4e5, 1.0),
@@ -110,17 +110,17 @@ impl Sample {
         format!("{} {}", draw::grouped(&self.count.to_string()), self.things)
     }
 
-    /// The time that was asked for, ms.
-    fn asked(&self) -> Option<f64> {
+    /// The budget, ms.
+    fn budget(&self) -> Option<f64> {
         let same = |known: &&(&str, f64, f64)| known.0 == self.scene && known.1 == self.count;
-        ASKED_TIMES.iter().find(same).map(|known| known.2)
+        BUDGET_TIMES.iter().find(same).map(|known| known.2)
     }
 
-    /// Whether time and overlaps are as small as was asked; overlaps of balls only.
+    /// Whether time and overlaps are within the budget; overlaps of balls only.
     fn keeps_all(&self) -> bool {
-        let good = self.scene != "pile" || (self.p99 <= ASKED_P99 && self.deepest <= ASKED);
+        let good = self.scene != "pile" || (self.p99 <= BUDGET_P99 && self.deepest <= BUDGET);
         let open = self.separation.is_some_and(|separation| separation > 1e-3);
-        good && !open && self.gone == 0 && self.asked().is_some_and(|asked| self.ms <= asked)
+        good && !open && self.gone == 0 && self.budget().is_some_and(|budget| self.ms <= budget)
     }
 }
 
@@ -143,7 +143,7 @@ fn chart(samples: &[Sample]) -> Chart {
         "0.05 radii, allowed to balls",
         Style::Theory,
         &ends,
-        |_| ASKED,
+        |_| BUDGET,
     ));
     Chart {
         name: "substeps_on_the_gpu",
@@ -177,7 +177,7 @@ fn page(samples: &[Sample], origin: &str) -> String {
         "scene",
         "substeps",
         "ms/step",
-        "asked",
+        "budget",
         "p99 (radii)",
         "deepest (radii)",
         "joints (mm)",
@@ -189,7 +189,7 @@ fn page(samples: &[Sample], origin: &str) -> String {
             s.name(),
             s.substeps.to_string(),
             three_digits(s.ms),
-            s.asked().map(three_digits).unwrap_or_default(),
+            s.budget().map(three_digits).unwrap_or_default(),
             percent(s.p99),
             percent(s.deepest),
             s.separation.map(millimetres).unwrap_or_default(),
@@ -236,11 +236,11 @@ mod tests {
     }
 
     #[test]
-    fn the_table_of_the_book_keeps_what_was_asked() {
+    fn the_table_of_the_book_keeps_the_budget() {
         let kept = SOURCE.read().expect("it is in the book");
         let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
         let samples = samples.expect("it can be read");
-        for (scene, count, _) in ASKED_TIMES {
+        for (scene, count, _) in BUDGET_TIMES {
             let same = |s: &&Sample| s.scene == scene && s.count == count;
             assert!(
                 samples.iter().filter(same).any(Sample::keeps_all),

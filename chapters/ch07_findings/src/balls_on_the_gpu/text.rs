@@ -3,14 +3,14 @@
 use std::fmt::Write as _;
 
 use super::sample::{Sample, machines};
-use super::{ASKED_GROWTH, asked, grouped, growth, growth_in_words};
+use super::{BUDGET_GROWTH, budget, grouped, growth, growth_in_words};
 use crate::draw;
 use crate::table::{Table, percent, three_digits};
 
 /// The samples as a file.
 pub fn csv(samples: &[Sample]) -> String {
     let mut text =
-        "engine,method,device,threads,balls,settling_steps,ms_a_step,least_ms,largest_ms,asked_ms,\
+        "engine,method,device,threads,balls,settling_steps,ms_a_step,least_ms,largest_ms,budget_ms,\
         growth_exponent_from_10000,p99_of_r,deepest_of_r,gone\n"
             .to_owned();
     for s in samples {
@@ -29,7 +29,7 @@ pub fn csv(samples: &[Sample]) -> String {
             s.ms[0],
             s.ms[1],
             s.ms[2],
-            optional(asked(s)),
+            optional(budget(s)),
             optional(growth(samples, s)),
             s.p99,
             s.deepest,
@@ -49,7 +49,7 @@ pub fn page(samples: &[Sample], origin: &str) -> String {
         "settled (steps)",
         "ms/step",
         "least … largest",
-        "asked",
+        "budget",
         "growth from 10,000: N to the",
         "p99 of R",
         "deepest of R",
@@ -65,7 +65,7 @@ pub fn page(samples: &[Sample], origin: &str) -> String {
             s.settling.to_string(),
             three_digits(s.ms[0]),
             format!("{} … {}", three_digits(s.ms[1]), three_digits(s.ms[2])),
-            asked(s).map_or_else(none, three_digits),
+            budget(s).map_or_else(none, three_digits),
             growth(samples, s).map_or_else(none, |exponent| format!("{exponent:.2}")),
             percent(s.p99),
             percent(s.deepest),
@@ -73,7 +73,9 @@ pub fn page(samples: &[Sample], origin: &str) -> String {
         ]);
     }
     let growth = growth_in_words(samples).map_or_else(String::new, |words| {
-        format!(" On the GPU a step grows {words}; at most {ASKED_GROWTH} was asked for.")
+        format!(
+            " On the GPU a step grows {words}; the budget is a power of {BUDGET_GROWTH} at most."
+        )
     });
     format!(
         "A pile of balls (radius 0.1 to 0.3 m, about six layers, steps of 1/60 s) on {machines}; {origin}. \

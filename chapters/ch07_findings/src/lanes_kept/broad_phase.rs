@@ -207,9 +207,9 @@ fn page(samples: &[Sample], processor: &str, origin: &str) -> String {
         }
     }
     format!(
-        "{}\nOn one core of {processor}: ms a step, mean of the steps measured (of what the quickest tenth takes of \
-         those in which all is built anew, and of the others), in which all ways took turns; \"steps anew\" are \
-         those of the grids; {origin}.\n",
+        "{}\nms a step on one core of {processor}. All ways took turns. Steps in which a way builds all anew and steps in \
+         which it doesn't are timed apart. Of each sort the quickest tenth tells what such a step takes, and the \
+         mean is by how many there were of each. \"Steps anew\" are those of the grids; {origin}.\n",
         table.markdown(1)
     )
 }

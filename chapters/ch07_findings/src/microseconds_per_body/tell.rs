@@ -87,7 +87,7 @@ fn how(samples: &[Sample]) -> String {
     format!(
         "A pile that `coloured` let settle is handed to every engine, which makes {} steps with it (above {} \
          balls {}) and is then timed in {} turns of {} steps ({} of {}), one engine after the other, on one \
-         thread of {}.{software} Told is the middle of the turns. Behind it stands the 99th percentile of the \
+         thread of {}.{software} The time is the median of the turns. Behind it stands the 99th percentile of the \
          overlaps at the end, of the smaller ball's radius; a time counts where that is below {}, and no ball is \
          gone. A dash: a step would take more than {} ms. The card's numbers are kept in `{}`, and are of \
          another machine, with its pile settled on the card.",
