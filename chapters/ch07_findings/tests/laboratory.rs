@@ -2,7 +2,7 @@
 //! costs accuracy fails here.
 
 use ch07_findings::laboratory::runs::measure;
-use ch07_findings::laboratory::{CONTENDERS, Contender, End, SCENARIOS};
+use ch07_findings::laboratory::{CONTENDERS, Contender, End, SCENARIOS, Scenario};
 
 /// Who reaches the figure at 60 Hz; everything else by own rows.
 const OTHERS: [(&str, &str); 7] = [
@@ -44,6 +44,11 @@ fn there_are_all_24_and_their_names_are_their_own() {
     let mut numbers: Vec<_> = SCENARIOS.iter().map(|scenario| scenario.number).collect();
     numbers.dedup();
     assert_eq!(numbers, (1..=24).collect::<Vec<_>>());
+    let mut headings: Vec<_> = SCENARIOS.iter().map(Scenario::heading).collect();
+    assert!(headings[9].starts_with("9b. ") && headings[10].starts_with("10. "));
+    headings.sort_unstable();
+    headings.dedup();
+    assert_eq!(headings.len(), SCENARIOS.len());
     let mut names: Vec<_> = SCENARIOS.iter().map(|scenario| scenario.name).collect();
     names.sort_unstable();
     names.dedup();
@@ -64,10 +69,7 @@ fn the_page_of_scenarios_says_of_each_what_the_code_says() {
     let book = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src");
     let page = std::fs::read_to_string(book.join("ch07_scenarios.md")).expect("the page");
     for scenario in SCENARIOS {
-        let heading = format!(
-            "## {}. {}\n\n{}\n",
-            scenario.number, scenario.title, scenario.watch
-        );
+        let heading = format!("## {}\n\n{}\n", scenario.heading(), scenario.watch);
         assert!(page.contains(&heading), "{heading}");
         let chart = format!("charts/scenario_{}.svg", scenario.name);
         assert!(page.contains(&chart), "{chart}");

@@ -154,7 +154,7 @@ fn error_axis(scenario: &Scenario) -> Axis {
 }
 
 fn title(scenario: &Scenario, what: &str) -> String {
-    format!("{}. {}: {what}", scenario.number, scenario.title)
+    format!("{}: {what}", scenario.heading())
 }
 
 fn pictures(scenario: &Scenario, cells: &[Cell]) -> [Picture; 2] {

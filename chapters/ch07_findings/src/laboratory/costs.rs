@@ -40,7 +40,7 @@ fn cost_of_one_percent(cells: &[Cell], scenario: &Scenario, contender: &Contende
 
 fn cost(cells: &[Cell], (name, what, numbers): &Part) -> Bars {
     let group = |scenario: &Scenario| Group {
-        name: format!("{}. {}", scenario.number, scenario.title),
+        name: scenario.heading(),
         bars: CONTENDERS
             .iter()
             .filter(|contender| !by(cells, scenario.name, contender).is_empty())

@@ -121,10 +121,7 @@ fn named(cell: Result<Cell, FindingsError>) -> Result<Cell, FindingsError> {
 fn chart(scenario: &Scenario, name: &'static str, series: Vec<Series>) -> Chart {
     Chart {
         name,
-        title: format!(
-            "{}. {}: {}",
-            scenario.number, scenario.title, scenario.error
-        ),
+        title: format!("{}: {}", scenario.heading(), scenario.error),
         x: Axis::log("steps a second (1/s)"),
         y: Axis::log(&format!("error ({})", scenario.unit)).lost("failed"),
         series,

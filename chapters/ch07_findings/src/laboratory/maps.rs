@@ -31,8 +31,8 @@ pub use who::{Knob, Law, Who};
 /// A map: a scenario over two numbers.
 #[derive(Clone, Copy)]
 pub struct Map {
-    /// Of the scenario.
-    pub number: u32,
+    /// Of the scenario, with its letter where it has one.
+    pub number: &'static str,
     /// As `chart failure_NAME` says it.
     pub name: &'static str,
     /// What happens, in a few words.

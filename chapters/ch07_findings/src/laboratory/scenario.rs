@@ -2,6 +2,7 @@
 
 use ch00_scenes::Scene;
 
+use super::scenarios::SCENARIOS;
 use crate::FindingsError;
 use crate::lab::Moment;
 
@@ -44,7 +45,7 @@ pub trait Watch {
 /// A scenario. Its scenes are independent runs of which the worst counts.
 #[derive(Clone, Copy)]
 pub struct Scenario {
-    /// As in the reference, 1 to 24.
+    /// As in the reference, 1 to 24; scenarios of one number are told apart by letters, see [`Scenario::heading`].
     pub number: u32,
     /// As `chart scenario_NAME` says it.
     pub name: &'static str,
@@ -58,8 +59,12 @@ pub struct Scenario {
     pub unit: &'static str,
     /// An error of one per cent, in its unit: of what the quantity itself is.
     pub one_percent: f64,
+    /// Of what that is one per cent.
+    pub scale: &'static str,
     /// The best method's error at 60 Hz must not be larger.
     pub pass: f64,
+    /// How a run can fail, and when; that its numbers stop being finite goes without saying.
+    pub fails: &'static str,
     /// Steps a second that are tried.
     pub rates: &'static [u32],
     /// Its set-ups at so many steps a second; fewer in a hurry.
@@ -70,6 +75,21 @@ pub struct Scenario {
     pub steps: Option<fn(u32) -> Vec<f64>>,
     /// The page of the book that tells more.
     pub page: &'static str,
+}
+
+impl Scenario {
+    /// Its number and title, `9b. …`: with a letter where several scenarios have the number.
+    #[must_use]
+    pub fn heading(&self) -> String {
+        let same = || SCENARIOS.iter().filter(|one| one.number == self.number);
+        let before = same().take_while(|one| one.name != self.name).count();
+        let letter = match same().count() {
+            1 => None,
+            _ => ('a'..='z').nth(before),
+        };
+        let letter = letter.map(String::from).unwrap_or_default();
+        format!("{}{letter}. {}", self.number, self.title)
+    }
 }
 
 /// For what is cheap.

@@ -23,8 +23,33 @@ fn told(cell: Option<&Cell>, pass: f64) -> String {
     }
 }
 
-/// All scenarios at 60 Hz: by the book's methods, by others, and by integrators of bodies that are alone.
+/// All scenarios at 60 Hz, and what counts as a pass, as one per cent and as a failure: parts of a page.
 pub fn all(cells: &[Cell]) -> String {
+    [("at_60_hz", at_usual(cells)), ("bounds", bounds())]
+        .map(|(name, table)| {
+            format!("<!-- ANCHOR: {name} -->\n{table}\n<!-- ANCHOR_END: {name} -->\n")
+        })
+        .concat()
+}
+
+/// What a pass is, what one per cent is, and when a run has failed.
+fn bounds() -> String {
+    let mut table = Table::new(&["scenario", "to reach", "one per cent is", "failed"]);
+    for scenario in SCENARIOS {
+        let number = |number: f64| format!("{number} {}", scenario.unit).trim_end().to_owned();
+        let one = number(scenario.one_percent);
+        table.push(vec![
+            scenario.heading(),
+            number(scenario.pass),
+            format!("{one} ({})", scenario.scale),
+            scenario.fails.to_owned(),
+        ]);
+    }
+    table.markdown(1)
+}
+
+/// All scenarios at 60 Hz: by the book's methods, by others, and by integrators of bodies that are alone.
+fn at_usual(cells: &[Cell]) -> String {
     let first = CONTENDERS
         .iter()
         .position(|contender| contender.name == FIRST_ALONE);
@@ -54,7 +79,7 @@ fn table(cells: &[Cell], scenarios: &[&Scenario], contenders: &[&Contender]) -> 
     let mut table = Table::new(&headings);
     for scenario in scenarios {
         let reach = format!("{} {}", scenario.pass, scenario.unit);
-        let mut row = vec![format!("{}. {}", scenario.number, scenario.title), reach];
+        let mut row = vec![scenario.heading(), reach];
         row.extend(contenders.iter().map(|contender| {
             told(
                 at(cells, scenario.name, contender.name, USUAL),

@@ -13,7 +13,7 @@ const HELD: f64 = 0.01;
 const SECONDS: f64 = 0.1;
 
 pub const MAP: Map = Map {
-    number: 7,
+    number: "7",
     name: "aliasing",
     title: "Who reads the spin that there is",
     value: "error of the spin after 0.1 s, as a share of it",

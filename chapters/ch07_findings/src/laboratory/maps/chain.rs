@@ -23,7 +23,7 @@ const SECONDS: f64 = 3.0;
 const PARTS: f64 = 20.0;
 
 pub const MAP: Map = Map {
-    number: 22,
+    number: "22",
     name: "chain",
     title: "Which chains hold a ball of 672 kg for 3 s",
     value: "widest joint, the mean of the third second (m)",

@@ -17,7 +17,7 @@ pub const X: f64 = 0.0;
 pub const Z: f64 = 1.0;
 
 pub const MAP: Map = Map {
-    number: 15,
+    number: "15",
     name: "directions",
     title: "Where boxes stop that slide in every direction",
     value: "where the box stops after 1.5 s, x (under y = 0) and z (under y = 1) (m)",

@@ -11,7 +11,7 @@ use crate::laboratory::scenarios::mass_ratio::Sink;
 use crate::mass_ratio::{HELD, predicted};
 
 pub const MAP: Map = Map {
-    number: 21,
+    number: "21",
     name: "mass_ratio",
     title: "Who holds a heavy cube on one of 1 kg",
     value: "sink of the upper cube, the mean of the tenth second (m)",

@@ -10,7 +10,7 @@ use crate::laboratory::scenarios::{G, rolling};
 const RATE: u32 = 240;
 
 pub const MAP: Map = Map {
-    number: 14,
+    number: "14a",
     name: "slope",
     title: "Which balls roll down a slope, and which slip",
     value: "share of the speed after 1 s that slips over the slope",

@@ -16,7 +16,7 @@ use crate::laboratory::scenarios::stack::places_kept;
 const HELD: f64 = 0.01;
 
 pub const MAP: Map = Map {
-    number: 20,
+    number: "20",
     name: "stack",
     title: "Which towers stand for 5 s",
     value: "farthest that any cube ever is from its place (m)",

@@ -11,7 +11,7 @@ use crate::laboratory::scenarios::{G, stall};
 const SECONDS: f64 = 1.0;
 
 pub const MAP: Map = Map {
-    number: 3,
+    number: "3",
     name: "stall",
     title: "Who never begins to fall",
     value: "error of the fall in the first second, as a share of it",

@@ -12,7 +12,7 @@ use crate::tunnelling::margin;
 const PHASES: u32 = 50;
 
 pub const MAP: Map = Map {
-    number: 23,
+    number: "23",
     name: "tunnelling",
     title: "Which balls get through a wall of 0.1 m",
     value: "share of the balls that are behind the wall after 0.5 s",

@@ -11,9 +11,10 @@ pub const SCENARIO: Scenario = Scenario {
     watch: "Forty joints in a row carry what hangs below them: a sweep tells a joint of its neighbour only, and the chain stretches like rubber.",
     error: "widest joint, the worst of all steps",
     unit: "m",
-    // Of a link.
     one_percent: 2.5e-3,
+    scale: "of a link",
     pass: 1e-4,
+    fails: "torn: a joint is open by more than 2.5 m",
     rates: FEW_RATES,
     scenes: |rate, quick| {
         let mut scene = builtin::build("chain", Some(40), None)?;

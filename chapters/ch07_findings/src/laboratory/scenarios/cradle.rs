@@ -19,7 +19,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "speeds after all impacts, the worst of five balls, of 1 m/s; one and two come in",
     unit: "",
     one_percent: 0.01,
+    scale: "of 1 m/s",
     pass: 0.02,
+    fails: "",
     rates: SOME_RATES,
     scenes: |rate, _| {
         Ok([1, 2]

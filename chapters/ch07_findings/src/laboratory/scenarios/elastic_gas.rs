@@ -23,7 +23,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "change of energy in one second, the worst of all steps",
     unit: "",
     one_percent: 0.01,
+    scale: "of the energy",
     pass: 0.01,
+    fails: "heated: the energy has changed by more than 100 %",
     rates: SOME_RATES,
     scenes: |rate, _| Ok(vec![timed(scene(), rate, 1.0)]),
     watcher: |scene| {

@@ -25,7 +25,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "distance of where it stops from where it should, the worst of seven, of 1.63 m",
     unit: "",
     one_percent: 0.01,
+    scale: "of the way, 1.63 m",
     pass: 1e-2,
+    fails: "",
     rates: SOME_RATES,
     scenes: |rate, _| {
         let boxes = (0..DIRECTIONS).map(|k| (start(k), direction(k)));

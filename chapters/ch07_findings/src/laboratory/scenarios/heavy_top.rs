@@ -1,4 +1,4 @@
-//! 8: a disc on an axle whose foot stays in place: it precesses and nods, with the period of an elliptic
+//! 8: a disc on an axle whose foot stays in place: it precesses and nods (nutation), with the period of an elliptic
 //! integral.
 
 use ch00_scenes::{Body, Force, Scene, Shape};
@@ -17,10 +17,12 @@ pub const SCENARIO: Scenario = Scenario {
     name: "heavy_top",
     title: "A heavy top",
     watch: "Without the gyroscopic torque it precesses at a third of its rate; with an explicit one it blows up within a second.",
-    error: "mean period of nodding over 5 s",
+    error: "mean period of nutation over 5 s",
     unit: "",
     one_percent: 0.01,
+    scale: "of the period",
     pass: 0.01,
+    fails: "no nutation: it nods less often in 5 s than it should",
     rates: &[60, 120, 240, 480, 960, 1920, 3840],
     scenes: |rate, _| Ok(vec![timed(scene(), rate, SECONDS)]),
     watcher: |_| Box::new(Nods::default()),
@@ -75,7 +77,7 @@ impl Watch for Nods {
             [first, .., last] if self.tops.len() + 1 >= wanted => {
                 Verdict::of(share((last - first) / (self.tops.len() - 1) as f64, PERIOD))
             }
-            _ => Verdict::failed("no nodding"),
+            _ => Verdict::failed("no nutation"),
         }
     }
 }

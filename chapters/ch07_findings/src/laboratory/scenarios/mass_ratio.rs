@@ -16,7 +16,9 @@ pub const HUNDRED: Scenario = Scenario {
     error: "sink of the upper cube, the mean of the last second",
     unit: "m",
     one_percent: 0.01,
+    scale: "of an edge",
     pass: 1.5e-3,
+    fails: "fell: the upper cube is more than 0.5 m from its place",
     rates: FEW_RATES,
     scenes: |rate, _| scenes(100, rate),
     watcher: |_| Box::new(Sink::default()),
@@ -27,6 +29,7 @@ pub const HUNDRED: Scenario = Scenario {
 pub const THOUSAND: Scenario = Scenario {
     name: "mass_ratio_1000",
     title: "1,000 kg on 1 kg",
+    watch: "The light cube hardly feels the floor push back, for all the weight above: a sweep leaves 99.9 % of what is missing.",
     pass: 20e-3,
     scenes: |rate, _| scenes(1000, rate),
     ..HUNDRED

@@ -67,7 +67,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "speeds after the impact, of the 4 m/s before, and spins as fast; the worst of three pairs",
     unit: "",
     one_percent: 0.01,
+    scale: "of 4 m/s",
     pass: 1e-3,
+    fails: "",
     rates: SOME_RATES,
     scenes: |rate, _| {
         Ok(CASES

@@ -18,9 +18,10 @@ pub const SCENARIO: Scenario = Scenario {
     watch: "All overlaps are squared and summed, so one ball that sinks counts more than a hundred that touch.",
     error: "sum of squared overlaps, the mean over all steps",
     unit: "m²",
-    // As if 216 balls overlapped by 1 % of their radius each.
     one_percent: 2.16e-4,
+    scale: "as if 216 balls overlapped by 1 % of their radius each",
     pass: 0.0152,
+    fails: "",
     rates: FEW_RATES,
     scenes: |rate, quick| Ok(vec![timed(scene(), rate, if quick { 3.0 } else { 10.0 })]),
     watcher: |_| Box::new(Overlaps { sum: 0.0, steps: 0 }),

@@ -29,9 +29,10 @@ pub const SCENARIO: Scenario = Scenario {
     watch: "Friction between two limits: the ground brakes the box with all it has, the balls roll back on it without slipping. A pyramid of friction brakes more along its diagonals, and the box stays where it is.",
     error: "mean over time of the squared errors of velocity of the box and of a ball, the worse of two directions",
     unit: "m²/s²",
-    // 1 % of both velocities at all times: 10⁻⁴ of what no motion would be, 3.145.
     one_percent: 3.145e-4,
+    scale: "of both velocities: a ten-thousandth of what no motion would be",
     pass: 1e-5,
+    fails: "stuck: it is more than half of what no motion would be, 3.145 m²/s²",
     rates: FEW_RATES,
     scenes: |rate, _| Ok(vec![scene(rate, 60.0), scene(rate, 0.0)]),
     watcher: |scene| {
@@ -77,7 +78,7 @@ fn scene(rate: u32, degrees: f64) -> Scene {
 }
 
 /// Accelerations of the box and of a ball, m/s²: the ground takes μ(M + nm)g, and a ball that rolls back on the
-/// box weighs on it with 2/7 of its mass.
+/// box resists like 2/7 of its mass.
 fn exact() -> [f64; 2] {
     let ground = FRICTION[0] * (MASS + BALLS) * G;
     let of_a_ball = ((PUSH - ground) / MASS) / (3.5 + BALLS / MASS);

@@ -16,7 +16,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "widest joint in the last second",
     unit: "m",
     one_percent: 0.0183,
+    scale: "of a ragdoll's height",
     pass: 0.02,
+    fails: "torn: a joint is open by more than 0.18 m at any time; gained energy: more than 1 J; escaped: a limb is outside of the box in the last second",
     rates: &[10, 15, 30, 60, 120, 240],
     scenes: |rate, quick| {
         let scenes = (1..=if quick { 1 } else { 3 }).map(|seed| {

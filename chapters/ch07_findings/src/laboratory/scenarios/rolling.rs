@@ -22,7 +22,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "way and spin after 1 s on slopes of 20° and 60°, the worst of the four",
     unit: "",
     one_percent: 0.01,
+    scale: "of what is exact",
     pass: 1e-3,
+    fails: "",
     rates: SOME_RATES,
     scenes: |rate, _| {
         Ok(SLOPES

@@ -18,7 +18,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "speed, spin and place after 1 s, the worst of the three",
     unit: "",
     one_percent: 0.01,
+    scale: "of what is exact",
     pass: 1e-3,
+    fails: "",
     rates: SOME_RATES,
     scenes: |rate, _| {
         let mut scene = Scene::new("slip_to_roll");

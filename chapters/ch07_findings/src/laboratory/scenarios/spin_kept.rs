@@ -17,7 +17,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "loss of spin in one second, of 10 rad/s",
     unit: "",
     one_percent: 0.01,
+    scale: "of the spin",
     pass: 1e-4,
+    fails: "",
     rates: MANY_RATES,
     scenes: |rate, _| Ok(vec![timed(spinning(SPIN), rate, 1.0)]),
     watcher: |_| {

@@ -13,7 +13,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "farthest that any cube ever is from its place",
     unit: "m",
     one_percent: 0.01,
+    scale: "of an edge",
     pass: 1e-3,
+    fails: "fell: a cube is more than 0.5 m from its place",
     rates: FEW_RATES,
     scenes: |rate, quick| {
         let scene = builtin::build("stack", Some(15), None)?;

@@ -26,7 +26,9 @@ pub const SCENARIO: Scenario = Scenario {
     error: "share of the balls that are behind the wall afterwards, the worst of 9 to 1,000 m/s",
     unit: "",
     one_percent: 0.01,
+    scale: "of the balls",
     pass: 0.0,
+    fails: "",
     rates: &[30, 60, 120, 240, 480, 960, 1920],
     scenes: |rate, _| {
         Ok(SPEEDS
