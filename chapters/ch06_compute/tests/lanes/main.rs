@@ -1,0 +1,6 @@
+//! Engine `lanes`, in one program: each that has lanes of its own takes minutes to compile.
+
+mod bits;
+mod left_out;
+mod measures;
+mod sleeping;
