@@ -14,7 +14,7 @@ use crate::table::{Table, three_digits};
 const SOURCE: Source = Source {
     file: "ch06_lanes_growth.csv",
     command: "cargo run --release -p ch06_compute --no-default-features --example pile -- \
-              --engine lanes --method NAME --substeps N --counts N,N,… --settle N --steps N --threads N --csv FILE",
+              --engine lanes --method NAME --substeps N --counts N,N,… --settle N --steps N --threads 1,2 --turns 9 --csv FILE",
 };
 
 /// A heap that is stepped by so many threads.
@@ -88,11 +88,11 @@ impl Run {
         samples.iter().find(same).map(|sample| sample.ms)
     }
 
-    /// The k of the Nᵏ with which a step on one thread grows from the smallest heap to one of so many balls.
-    fn growth(&self, samples: &[Sample], balls: f64) -> Option<f64> {
+    /// The k of the Nᵏ with which a step on so many threads grows from the smallest heap to one of so many balls.
+    fn growth(&self, samples: &[Sample], balls: f64, threads: u32) -> Option<f64> {
         let smallest = self.counts(samples).first().copied()?;
         let more = balls / smallest;
-        let longer = self.ms(samples, balls, 1)? / self.ms(samples, smallest, 1)?;
+        let longer = self.ms(samples, balls, threads)? / self.ms(samples, smallest, threads)?;
         (more > 1.0).then(|| longer.ln() / more.ln())
     }
 
@@ -165,20 +165,23 @@ fn page(samples: &[Sample], origin: &str) -> String {
         "two threads, ms",
         "ratio",
         "growth on one",
+        "on two",
     ]);
     for run in runs(samples) {
         for balls in run.counts(samples) {
             let times = [1, 2].map(|threads| run.ms(samples, balls, threads));
             let shown = |number: Option<f64>| number.map(three_digits).unwrap_or_default();
             let ratio = times[0].zip(times[1]).map(|(one, two)| one / two);
-            let growth = run.growth(samples, balls);
+            let growth = [1, 2].map(|threads| run.growth(samples, balls, threads));
+            let [growth, on_two] = growth.map(|growth| growth.map(|k| format!("N^{k:.2}")));
             table.push(vec![
                 run.name(),
                 draw::grouped(&balls.to_string()),
                 shown(times[0]),
                 shown(times[1]),
                 shown(ratio),
-                growth.map(|k| format!("N^{k:.2}")).unwrap_or_default(),
+                growth.unwrap_or_default(),
+                on_two.unwrap_or_default(),
             ]);
         }
     }
@@ -202,9 +205,9 @@ mod tests {
         let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
         let samples = samples.expect("it can be read");
         let run = &samples[0].run;
-        assert_eq!(run.growth(&samples, 1e3), None);
-        assert!((run.growth(&samples, 1e4).expect("two sizes") - 1.0).abs() < 1e-12);
-        assert!((run.growth(&samples, 1e5).expect("two sizes") - 1.5).abs() < 1e-12);
+        assert_eq!(run.growth(&samples, 1e3, 1), None);
+        assert!((run.growth(&samples, 1e4, 1).expect("two sizes") - 1.0).abs() < 1e-12);
+        assert!((run.growth(&samples, 1e5, 1).expect("two sizes") - 1.5).abs() < 1e-12);
         let page = page(&samples, "here");
         assert!(page.contains("N^1.50") && page.contains("2.00"), "{page}");
     }
