@@ -169,6 +169,7 @@ fn chart(samples: &[Sample]) -> Bars {
              others on one core of {cpu}"
         ),
         label: "time of a step (µs a ball)".to_owned(),
+        powers: false,
         parts: vec!["time of a step"],
         groups: samples.iter().map(group).collect(),
     }

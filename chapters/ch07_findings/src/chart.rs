@@ -10,6 +10,8 @@ pub enum Picture {
     Bars(Bars),
     /// Maps side by side over the same axes.
     Maps(Maps),
+    /// Rows of marks along one axis.
+    Dots(Dots),
 }
 
 /// A chart: curves over a common pair of axes.
@@ -36,6 +38,8 @@ pub struct Axis {
     pub scale: Scale,
     /// What a number that is not finite means: stands beside the band for those.
     pub lost: &'static str,
+    /// Numbers that it has room for in any case, as where two charts have the same axis.
+    pub reaches: Vec<f64>,
 }
 
 /// How an axis is divided.
@@ -58,6 +62,10 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// The ends of each point's error bar; empty where there are none.
     pub bars: Vec<(f64, f64)>,
+    /// What stands beside each point; empty where nothing does.
+    pub notes: Vec<String>,
+    /// Points with a ring about their marks, by number.
+    pub ringed: Vec<usize>,
 }
 
 /// What a curve is, which decides how it is drawn; the same on all charts.
@@ -71,10 +79,12 @@ pub enum Style {
     Theory,
     /// Something between: by number.
     Other(usize),
+    /// The same in dashes.
+    Dashed(usize),
     /// Marks alone, without a line, as of [`Style::Other`] of this number.
     Marks(usize),
-    /// What others have published: stars without a line, in the colour of [`Style::Other`] of this number.
-    Published(usize),
+    /// What others have published: stars without a line. Each has its name beside it and none in the legend.
+    Published,
 }
 
 /// A chart of bars: groups of them, one under the other, along a common axis that is evenly divided.
@@ -86,6 +96,8 @@ pub struct Bars {
     pub title: String,
     /// Quantity and unit of the lengths.
     pub label: String,
+    /// Whether lengths are powers of ten, as which the axis tells them.
+    pub powers: bool,
     /// What a bar is made of, from 0 outwards. The legend names them, unless it is one.
     pub parts: Vec<&'static str>,
     /// The groups.
@@ -112,6 +124,32 @@ pub struct Bar {
     pub spread: Option<(f64, f64)>,
     /// Stands after it.
     pub note: String,
+}
+
+/// Rows of marks along a common axis: a row a case, a mark a kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dots {
+    /// File name without ending, and what `chart NAME` says.
+    pub name: &'static str,
+    /// What it shows, in one line.
+    pub title: String,
+    /// The axis.
+    pub x: Axis,
+    /// What the marks are, in the order of the legend.
+    pub kinds: Vec<(String, Style)>,
+    /// The rows.
+    pub rows: Vec<DotRow>,
+}
+
+/// A row of [`Dots`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct DotRow {
+    /// Stands above it.
+    pub name: String,
+    /// Stands above its right end.
+    pub note: String,
+    /// Kinds by number, and where their marks stand.
+    pub marks: Vec<(usize, f64)>,
 }
 
 /// Small maps side by side, a panel a method, all over the same pair of axes.
@@ -163,6 +201,7 @@ impl Picture {
             Picture::Curves(chart) => chart.name,
             Picture::Bars(bars) => bars.name,
             Picture::Maps(maps) => maps.name,
+            Picture::Dots(dots) => dots.name,
         }
     }
 }
@@ -176,6 +215,12 @@ impl From<Chart> for Picture {
 impl From<Bars> for Picture {
     fn from(bars: Bars) -> Self {
         Picture::Bars(bars)
+    }
+}
+
+impl From<Dots> for Picture {
+    fn from(dots: Dots) -> Self {
+        Picture::Dots(dots)
     }
 }
 
@@ -193,6 +238,7 @@ impl Axis {
             label: label.to_owned(),
             scale: Scale::Linear,
             lost: "lost",
+            reaches: Vec::new(),
         }
     }
 
@@ -203,6 +249,7 @@ impl Axis {
             label: label.to_owned(),
             scale: Scale::Log,
             lost: "lost",
+            reaches: Vec::new(),
         }
     }
 
@@ -210,6 +257,14 @@ impl Axis {
     #[must_use]
     pub fn lost(self, lost: &'static str) -> Self {
         Self { lost, ..self }
+    }
+
+    /// The same with room for these numbers.
+    #[must_use]
+    pub fn reaching(self, numbers: impl IntoIterator<Item = f64>) -> Self {
+        let finite = numbers.into_iter().filter(|number| number.is_finite());
+        let reaches = finite.collect();
+        Self { reaches, ..self }
     }
 }
 
@@ -221,6 +276,8 @@ impl Series {
             style,
             points: points.into_iter().collect(),
             bars: Vec::new(),
+            notes: Vec::new(),
+            ringed: Vec::new(),
         }
     }
 
@@ -233,5 +290,17 @@ impl Series {
     #[must_use]
     pub fn with_bars(self, bars: Vec<(f64, f64)>) -> Self {
         Self { bars, ..self }
+    }
+
+    /// The same with a note beside each point.
+    #[must_use]
+    pub fn with_notes(self, notes: Vec<String>) -> Self {
+        Self { notes, ..self }
+    }
+
+    /// The same with a ring about some of its marks.
+    #[must_use]
+    pub fn with_rings(self, ringed: Vec<usize>) -> Self {
+        Self { ringed, ..self }
     }
 }

@@ -251,6 +251,7 @@ fn bars(name: &'static str, title: String, samples: &[&Sample]) -> Bars {
         name,
         title,
         label: "median time of a step (µs a body that moves)".to_owned(),
+        powers: false,
         parts,
         groups: samples.iter().map(|sample| group(sample)).collect(),
     }

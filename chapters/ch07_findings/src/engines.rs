@@ -101,6 +101,12 @@ impl Kind {
         }
     }
 
+    /// Whether it is an engine of the book's: those of others are called by their method alone.
+    #[must_use]
+    pub fn is_ours(&self) -> bool {
+        self.name.contains(" on ")
+    }
+
     /// Whether it runs on the graphics device.
     #[must_use]
     pub fn is_compute(&self) -> bool {

@@ -124,12 +124,8 @@ fn chart(samples: &[Sample]) -> Chart {
             let point = |balls| Some((balls, 1e3 * run.ms(samples, balls, threads)? / balls));
             let points: Vec<_> = run.counts(samples).into_iter().filter_map(point).collect();
             if !points.is_empty() {
-                series.push(Series {
-                    name: format!("{}: {word}", run.name()),
-                    style: Style::Other(series.len()),
-                    points,
-                    bars: Vec::new(),
-                });
+                let name = format!("{}: {word}", run.name());
+                series.push(Series::new(&name, Style::Other(series.len()), points));
             }
         }
     }

@@ -159,6 +159,7 @@ fn chart(scenes: &[Scene]) -> Bars {
         name: "left_out",
         title: "What a part that a scene doesn't need would add to a step".to_owned(),
         label: "more time for a step than planned (%)".to_owned(),
+        powers: false,
         parts: vec!["more time"],
         groups: scenes.iter().map(group).collect(),
     }

@@ -131,7 +131,7 @@ pub fn product(quick: bool, folder: &Path, say: Say) -> Result<Product, Findings
     samples.sort_by_key(|sample| sample.balls);
     samples.extend(card()?);
     Ok(Product {
-        charts: vec![tell::chart(&samples).into()],
+        charts: tell::charts(&samples).map(Into::into).into(),
         csv: tell::csv(&samples),
         page: Some(tell::page(&samples)),
     })

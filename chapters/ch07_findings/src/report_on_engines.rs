@@ -10,7 +10,7 @@ use ch00_scenes::measures::{Measures, joint_separation};
 use ch00_scenes::{Scene, builtin};
 
 use crate::FindingsError;
-use crate::chart::{Axis, Chart, Series, Style};
+use crate::chart::{Axis, Chart, Picture, Series, Style};
 use crate::draw;
 use crate::engines::{KINDS, Kind};
 use crate::lab;
@@ -24,6 +24,8 @@ struct Report {
     number: u32,
     scene: &'static str,
     chart: &'static str,
+    /// The chart of engines that aren't the book's.
+    others: &'static str,
 }
 
 const REPORTS: [Report; 2] = [
@@ -31,11 +33,13 @@ const REPORTS: [Report; 2] = [
         number: 1,
         scene: "balls",
         chart: "report_on_engines",
+        others: "report_on_engines_others",
     },
     Report {
         number: 2,
         scene: "ragdolls",
         chart: "report_on_engines_ragdolls",
+        others: "report_on_engines_ragdolls_others",
     },
 ];
 /// Steps of a run, the first not timed.
@@ -78,7 +82,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
             samples.extend(measured(report, count, if quick { 30 } else { STEPS })?);
             say(&format!("{count} {}", report.scene));
         }
-        charts.push(chart(report, &rows, &samples).into());
+        charts.extend(panels(report, &rows, &samples).map(Picture::from));
     }
     let csv = csv(&samples);
     let page = page(&samples)?;
@@ -150,7 +154,14 @@ fn tens(rates: &Rates) -> (f64, f64) {
     (1e3 / rates.max_fps(), 1e3 / rates.min_fps())
 }
 
-fn chart(report: &Report, rows: &[Reported], samples: &[Sample]) -> Chart {
+/// The book's engines, and the others over the same axes.
+fn panels(report: &Report, rows: &[Reported], samples: &[Sample]) -> [Chart; 2] {
+    [true, false].map(|ours| chart(report, rows, samples, ours))
+}
+
+fn chart(report: &Report, rows: &[Reported], samples: &[Sample], ours: bool) -> Chart {
+    let all = samples.iter().filter(|one| one.table == report.number);
+    let times = all.flat_map(|one| <[f64; 2]>::from(tens(&one.rates)));
     let shown = rows.iter().filter(|row| row.count > 0);
     let ends = shown
         .clone()
@@ -158,7 +169,7 @@ fn chart(report: &Report, rows: &[Reported], samples: &[Sample]) -> Chart {
     let middle = shown.map(|row| (row.count as f64, 1e3 / (row.max_fps * row.min_fps).sqrt()));
     let theirs = Series::new("report (with drawing)", Style::Other(5), middle);
     let mut series = vec![theirs.with_bars(ends.collect())];
-    for kind in KINDS {
+    for kind in KINDS.iter().filter(|kind| kind.is_ours() == ours) {
         let mine = of(samples, report.number, kind.name);
         let points = mine
             .clone()
@@ -179,13 +190,18 @@ fn chart(report: &Report, rows: &[Reported], samples: &[Sample]) -> Chart {
         |_| 1e3 / 60.0,
     ));
     Chart {
-        name: report.chart,
+        name: if ours { report.chart } else { report.others },
         title: format!(
-            "Table {} on every engine: time of a step, bars from the fastest to the slowest mean of ten",
-            report.number
+            "Table {} on {}: time of a step, bars from the fastest to the slowest mean of ten",
+            report.number,
+            if ours {
+                "the book's engines"
+            } else {
+                "other engines"
+            }
         ),
         x: Axis::linear(report.scene),
-        y: Axis::log("1000 / FPS; time of a step (ms)"),
+        y: Axis::log("1000 / FPS; time of a step (ms)").reaching(times),
         series,
     }
 }

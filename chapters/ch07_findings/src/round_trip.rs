@@ -199,6 +199,7 @@ fn shares(trips: &[Trip]) -> Bars {
             devices.join(" and ")
         ),
         label: "share of the three parts, each waited for by itself (%)".to_owned(),
+        powers: false,
         parts: PARTS.to_vec(),
         groups: trips.iter().map(Trip::group).collect(),
     }

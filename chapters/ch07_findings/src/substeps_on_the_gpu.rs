@@ -128,15 +128,14 @@ fn chart(samples: &[Sample]) -> Chart {
     let mut series: Vec<Series> = Vec::new();
     for sample in samples {
         let (name, point) = (sample.name(), (sample.ms, sample.deepest));
-        match series.last_mut().filter(|last| last.name == name) {
-            Some(last) => last.points.push(point),
-            None => series.push(Series {
-                name,
-                style: Style::Other(series.len()),
-                points: vec![point],
-                bars: Vec::new(),
-            }),
+        let note = sample.substeps.to_string();
+        if let Some(last) = series.last_mut().filter(|last| last.name == name) {
+            last.points.push(point);
+            last.notes.push(note);
+            continue;
         }
+        let one = Series::new(&name, Style::Other(series.len()), [point]);
+        series.push(one.with_notes(vec![note]));
     }
     let ends = [1e-1, 3.0];
     series.push(Series::of(
@@ -147,7 +146,7 @@ fn chart(samples: &[Sample]) -> Chart {
     ));
     Chart {
         name: "substeps_on_the_gpu",
-        title: "Deepest overlap against time, for four to ten substeps: a mark each".to_owned(),
+        title: "Deepest overlap against time; beside each mark its number of substeps".to_owned(),
         x: Axis::log("time of a step (ms)"),
         y: Axis::log("deepest overlap (radii)"),
         series,

@@ -71,7 +71,11 @@ impl<'a> Plot<'a> {
             bars,
             title,
             legend,
-            ticks: scale.ticks(6),
+            ticks: if bars.powers {
+                scale.powers()
+            } else {
+                scale.ticks(6)
+            },
             scale,
             left: MARGIN + widest(|bar| &bar.name) + GAP,
             right: WIDTH - MARGIN - widest(|bar| &bar.note) - GAP,
@@ -201,6 +205,7 @@ mod tests {
             name: "any",
             title: "Bars & more".to_owned(),
             label: "time (ms)".to_owned(),
+            powers: false,
             parts: vec!["update", "resolve"],
             groups: vec![Group {
                 name: "balls".to_owned(),

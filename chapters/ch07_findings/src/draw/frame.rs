@@ -131,6 +131,11 @@ impl Frame {
         ((px, py), Part { across, up })
     }
 
+    /// The left and the right end of the plot, pixels.
+    pub fn sides(&self) -> [f64; 2] {
+        [self.outer.left, self.outer.right]
+    }
+
     /// Draws everything but the curves.
     pub fn draw(&self, canvas: &mut Canvas) -> Drawn {
         self.draw_bands(canvas)?;
@@ -264,17 +269,30 @@ pub fn grid(tick: &Tick) -> super::canvas::Ink {
     GREY.faint(if tick.label.is_empty() { 0.12 } else { 0.3 })
 }
 
-/// Takes back labels that would touch the one before, on an axis of so many pixels.
+/// Takes back labels that would touch others, on an axis of so many pixels: those of powers of ten last.
 pub fn thinned(mut ticks: Vec<Tick>, length: f64) -> Vec<Tick> {
-    let mut end = f64::NEG_INFINITY;
-    for tick in ticks.iter_mut().filter(|tick| !tick.label.is_empty()) {
+    let mut order: Vec<usize> = (0..ticks.len()).collect();
+    order.sort_by_key(|&k| !is_decade(&ticks[k].label));
+    let mut taken: Vec<[f64; 2]> = Vec::new();
+    for k in order {
+        let tick = &mut ticks[k];
+        if tick.label.is_empty() {
+            continue;
+        }
         let half = 0.5 * text::width(&tick.label, NUMBER);
-        let middle = tick.at * length;
-        if middle - half < end + 4.0 {
+        let ends = [tick.at * length - half, tick.at * length + half];
+        let touches = |other: &[f64; 2]| ends[0] < other[1] + 4.0 && other[0] < ends[1] + 4.0;
+        if taken.iter().any(touches) {
             tick.label.clear();
         } else {
-            end = middle + half;
+            taken.push(ends);
         }
     }
     ticks
+}
+
+/// Whether a label is that of a power of ten, from 10 on.
+fn is_decade(label: &str) -> bool {
+    let rest = label.strip_prefix('1');
+    rest.is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c == '0' || c == ','))
 }

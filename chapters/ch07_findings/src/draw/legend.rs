@@ -19,6 +19,9 @@ const BETWEEN: f64 = 16.0;
 /// From row to row, pixels.
 const ROW: f64 = 20.0;
 
+/// What all stars are.
+const PUBLISHED: &str = "other engines, by their names";
+
 /// The rows of a legend.
 pub struct Legend {
     entries: Vec<Entry>,
@@ -38,6 +41,8 @@ struct Entry {
 enum Sample {
     /// A piece of a curve with its mark.
     Curve(Style),
+    /// A mark alone.
+    Mark(Style),
     /// A piece of the bars' part of this number.
     Part(usize),
     /// A piece of a map's cell.
@@ -50,7 +55,7 @@ impl Sample {
     fn length(self) -> f64 {
         match self {
             Sample::Curve(_) | Sample::Law => LINE,
-            Sample::Part(_) | Sample::Cell(_) => FILL,
+            Sample::Mark(_) | Sample::Part(_) | Sample::Cell(_) => FILL,
         }
     }
 }
@@ -58,9 +63,22 @@ impl Sample {
 impl Legend {
     /// Arranges the names of curves in rows of at most `width` pixels.
     pub fn new(series: &[Series], width: f64) -> Self {
-        let named = series.iter().filter(|one| !one.name.is_empty());
+        let named = series
+            .iter()
+            .filter(|one| !one.name.is_empty() && one.style != Style::Published);
         let entries = named.map(|one| (Sample::Curve(one.style), one.name.as_str()));
-        Self::arranged(entries, width)
+        let stars = series.iter().any(|one| one.style == Style::Published);
+        let stars = stars.then_some((Sample::Curve(Style::Published), PUBLISHED));
+        Self::arranged(entries.chain(stars), width)
+    }
+
+    /// The same for kinds of marks.
+    pub fn of_kinds(kinds: &[(String, Style)], width: f64) -> Self {
+        let entries = kinds.iter();
+        Self::arranged(
+            entries.map(|(name, style)| (Sample::Mark(*style), name.as_str())),
+            width,
+        )
     }
 
     /// The same for the parts of bars.
@@ -111,6 +129,9 @@ impl Legend {
             match entry.sample {
                 Sample::Curve(style) => {
                     marks::line(canvas, style, &[(left, y), (right, y)])?;
+                    marks::mark(canvas, style, (0.5 * (left + right), y))?;
+                }
+                Sample::Mark(style) => {
                     marks::mark(canvas, style, (0.5 * (left + right), y))?;
                 }
                 Sample::Part(number) => {

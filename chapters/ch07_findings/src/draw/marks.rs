@@ -23,6 +23,9 @@ enum Shape {
 /// Radius of a disc, pixels; the other shapes look as large.
 const RADIUS: f64 = 4.0;
 
+/// The style of a ring about a mark, for the legend.
+pub const RINGED: Style = Style::Marks(10);
+
 /// Colours and shapes of what is neither printed nor corrected, in turn.
 const OTHERS: [(Ink, Shape); 17] = [
     (Ink::full((0x00, 0x9E, 0x73)), Shape::Triangle),
@@ -67,11 +70,11 @@ fn look(style: Style) -> (Ink, Option<Shape>) {
         Style::Printed => (Ink::full((0xD5, 0x5E, 0x00)), Some(Shape::Disc)),
         Style::Corrected => (Ink::full((0x00, 0x72, 0xB2)), Some(Shape::Square)),
         Style::Theory => (GREY, None),
-        Style::Other(number) | Style::Marks(number) => {
+        Style::Other(number) | Style::Dashed(number) | Style::Marks(number) => {
             let (ink, shape) = OTHERS[number % OTHERS.len()];
             (ink, Some(shape))
         }
-        Style::Published(number) => (OTHERS[number % OTHERS.len()].0, Some(Shape::Star)),
+        Style::Published => (GREY, Some(Shape::Star)),
     }
 }
 
@@ -79,7 +82,8 @@ fn look(style: Style) -> (Ink, Option<Shape>) {
 pub fn line(canvas: &mut Canvas, style: Style, points: &[Point]) -> Drawn {
     match style {
         Style::Theory => canvas.dashes(points, ink(style), 1.5),
-        Style::Marks(_) | Style::Published(_) => Ok(()),
+        Style::Dashed(_) => canvas.dashes(points, ink(style), 2.0),
+        Style::Marks(_) | Style::Published => Ok(()),
         _ => canvas.line(points, ink(style), 2.0),
     }
 }
@@ -137,6 +141,11 @@ pub fn bar(canvas: &mut Canvas, style: Style, ends: [Point; 2]) -> Drawn {
         canvas.line(&[(x - RADIUS, y), (x + RADIUS, y)], ink(style), 1.3)?;
     }
     Ok(())
+}
+
+/// Draws a ring about a mark.
+pub fn ring(canvas: &mut Canvas, at: Point) -> Drawn {
+    mark(canvas, RINGED, at)
 }
 
 /// Draws a curve's mark at a point; theory has none.

@@ -8,10 +8,12 @@ mod bars;
 mod canvas;
 mod csv;
 mod curves;
+mod dots;
 mod frame;
 mod legend;
 mod maps;
 mod marks;
+mod notes;
 mod numbers;
 mod scale;
 mod text;
@@ -41,6 +43,7 @@ pub fn picture(picture: &Picture) -> Result<String, FindingsError> {
         Picture::Curves(chart) => svg(chart),
         Picture::Bars(chart) => bars::svg(chart),
         Picture::Maps(chart) => maps::svg(chart),
+        Picture::Dots(chart) => dots::svg(chart),
     }
 }
 

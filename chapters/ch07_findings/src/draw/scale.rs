@@ -46,7 +46,7 @@ impl Scale {
         let division = axis.scale;
         let (mut below, mut beyond) = (None, None);
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for number in numbers {
+        for number in numbers.chain(axis.reaches.iter().copied()) {
             if !number.is_finite() {
                 beyond = Some(axis.lost);
             } else if division == Division::Log && number <= 0.0 {
@@ -87,6 +87,16 @@ impl Scale {
             Division::Linear => self.even_ticks(most),
             Division::Log => self.decade_ticks(most),
         }
+    }
+
+    /// Ticks at whole numbers, each called by the power of ten that it is the exponent of.
+    pub fn powers(&self) -> Vec<Tick> {
+        let (first, last) = (self.low.ceil() as i32, self.high.floor() as i32);
+        let tick = |exponent: i32| Tick {
+            at: self.share(f64::from(exponent)),
+            label: power_of_ten(exponent, first >= -4 && last <= 5),
+        };
+        (first..=last).map(tick).collect()
     }
 
     fn share(&self, number: f64) -> f64 {

@@ -164,25 +164,35 @@ fn pictures(scenario: &Scenario, cells: &[Cell]) -> [Picture; 2] {
     ]
 }
 
-/// A curve for every contender that can run the scenario, over something of its cells.
-fn curves(scenario: &Scenario, cells: &[Cell], x: fn(&Cell) -> f64) -> Vec<Series> {
+/// A curve for every contender that can run the scenario, over something of its cells, and which of its points
+/// is that at the usual rate, unless it failed.
+fn curves(
+    scenario: &Scenario,
+    cells: &[Cell],
+    x: fn(&Cell) -> f64,
+) -> Vec<(Series, Option<usize>)> {
     let curve = |contender: &Contender| {
         let cells = by(cells, scenario.name, contender);
         let points = cells.iter().map(|cell| (x(cell), cell.drawn()));
-        Series::new(contender.name, contender.style, points)
+        let usual = cells
+            .iter()
+            .position(|cell| cell.rate == USUAL && cell.is_measured());
+        let curve = Series::new(contender.name, contender.style, points);
+        (curve, usual)
     };
     let all = CONTENDERS.iter().map(curve);
-    all.filter(|series| !series.points.is_empty()).collect()
+    all.filter(|(series, _)| !series.points.is_empty())
+        .collect()
 }
 
 // ANCHOR: work_precision
 /// A curve a method, a mark a rate; the dashed line goes along those that nobody beats in both.
 fn work_precision(scenario: &Scenario, cells: &[Cell]) -> Chart {
-    let mut series = curves(scenario, cells, |cell| cell.cost);
-    let at_usual = of(cells, scenario.name).filter(|cell| cell.rate == USUAL);
-    let at_usual = at_usual.filter(|cell| cell.is_measured());
-    let usual = at_usual.map(|cell| (cell.cost, cell.error));
-    series.push(Series::new("at 60 Hz", Style::Marks(10), usual));
+    let all = curves(scenario, cells, |cell| cell.cost).into_iter();
+    let ringed = all.map(|(one, usual)| one.with_rings(usual.into_iter().collect()));
+    let mut series: Vec<Series> = ringed.collect();
+    // For the legend: the rings are those of the curves.
+    series.push(Series::new("at 60 Hz", Style::Marks(10), []));
     series.push(Series::new(
         "nothing is cheaper and better",
         Style::Theory,
@@ -215,7 +225,8 @@ fn front<'a>(cells: impl Iterator<Item = &'a Cell>) -> Vec<(f64, f64)> {
 // ANCHOR_END: work_precision
 
 fn against_rate(scenario: &Scenario, cells: &[Cell]) -> Chart {
-    let mut series = curves(scenario, cells, |cell| f64::from(cell.rate));
+    let all = curves(scenario, cells, |cell| f64::from(cell.rate)).into_iter();
+    let mut series: Vec<Series> = all.map(|(one, _)| one).collect();
     let ends = [scenario.rates[0], scenario.rates[scenario.rates.len() - 1]].map(f64::from);
     series.push(Series::of(
         "to reach at 60 Hz",

@@ -8,8 +8,7 @@ use super::charts::by;
 use super::contenders::{CONTENDERS, Contender};
 use super::scenario::Scenario;
 use super::scenarios::SCENARIOS;
-use crate::chart::{Bar, Bars, Group, Picture};
-use crate::table::three_digits;
+use crate::chart::{Axis, DotRow, Dots, Picture};
 
 /// A chart's name, what it is about, and the numbers of its scenarios.
 type Part = (&'static str, &'static str, RangeInclusive<u32>);
@@ -38,35 +37,46 @@ fn cost_of_one_percent(cells: &[Cell], scenario: &Scenario, contender: &Contende
     costs.min_by(f64::total_cmp)
 }
 
-fn cost(cells: &[Cell], (name, what, numbers): &Part) -> Bars {
-    let group = |scenario: &Scenario| Group {
-        name: scenario.heading(),
-        bars: CONTENDERS
-            .iter()
-            .filter(|contender| !by(cells, scenario.name, contender).is_empty())
-            .map(|contender| {
-                let cost = cost_of_one_percent(cells, scenario, contender);
-                Bar {
-                    name: contender.name.to_owned(),
-                    lengths: vec![cost.map_or(0.0, |cost| (1e6 * cost).log10().max(0.0))],
-                    spread: None,
-                    note: cost.map_or("never".to_owned(), |cost| three_digits(1e6 * cost)),
-                }
-            })
-            .collect(),
+fn cost(cells: &[Cell], (name, what, numbers): &Part) -> Dots {
+    let scenarios = || {
+        let all = SCENARIOS.iter();
+        all.filter(|scenario| numbers.contains(&scenario.number))
     };
-    Bars {
+    let runs = |scenario: &Scenario, contender: &Contender| {
+        !by(cells, scenario.name, contender).is_empty()
+    };
+    let contenders = CONTENDERS.iter();
+    let contenders: Vec<_> = contenders
+        .filter(|contender| scenarios().any(|scenario| runs(scenario, contender)))
+        .collect();
+    let row = |scenario: &Scenario| {
+        let all = contenders.iter().enumerate();
+        let tried: Vec<_> = all
+            .filter(|(_, contender)| runs(scenario, contender))
+            .map(|(kind, contender)| (kind, cost_of_one_percent(cells, scenario, contender)))
+            .collect();
+        let there = tried.iter();
+        let marks: Vec<_> = there
+            .filter_map(|&(kind, cost)| Some((kind, 1e6 * cost?)))
+            .collect();
+        DotRow {
+            name: scenario.heading(),
+            note: format!("{} of {}", marks.len(), tried.len()),
+            marks,
+        }
+    };
+    Dots {
         name,
         title: format!(
-            "What an error of one per cent costs, {what}: µs of processor time for a second of the scene"
+            "What an error of one per cent costs, {what}: processor time for a second of the scene; on the right \
+             how many methods get there"
         ),
-        label: "powers of ten (µs)".to_owned(),
-        parts: vec!["cheapest run within one per cent"],
-        groups: SCENARIOS
+        x: Axis::log("cheapest run within one per cent (µs for a second of the scene)"),
+        kinds: contenders
             .iter()
-            .filter(|scenario| numbers.contains(&scenario.number))
-            .map(group)
+            .map(|contender| (contender.name.to_owned(), contender.style))
             .collect(),
+        rows: scenarios().map(row).collect(),
     }
 }
 

@@ -10,7 +10,7 @@ use super::contenders::{CONTENDERS, Contender, WITH_CCD};
 use super::scenario::timed;
 use super::scenarios::SCENARIOS;
 use crate::FindingsError;
-use crate::chart::{Axis, Chart, Series};
+use crate::chart::{Axis, Chart, Picture, Series};
 use crate::product::{Product, Say};
 
 /// What is looked at: the scenario, for how long, s, how many times a second, and the chart.
@@ -19,6 +19,8 @@ struct Look {
     seconds: f64,
     rate: u32,
     name: &'static str,
+    /// Of the chart of what the book's engines don't have.
+    others: &'static str,
     title: &'static str,
     of: fn(&Conserved, &Conserved) -> f64,
 }
@@ -29,6 +31,7 @@ const LOOKS: [Look; 3] = [
         seconds: 60.0,
         rate: 60,
         name: "drift",
+        others: "drift_others",
         title: "4. A box that tumbles in free space: change of its energy, as a share",
         of: |first, now| (now.kinetic_energy / first.kinetic_energy - 1.0).abs(),
     },
@@ -37,6 +40,7 @@ const LOOKS: [Look; 3] = [
         seconds: 60.0,
         rate: 60,
         name: "drift_angular_momentum",
+        others: "drift_angular_momentum_others",
         title: "4. A box that tumbles in free space: change of its angular momentum, as a share",
         of: |first, now| {
             let length = first.angular_momentum.length();
@@ -48,6 +52,7 @@ const LOOKS: [Look; 3] = [
         seconds: 5.0,
         rate: 240,
         name: "drift_gas",
+        others: "drift_gas_others",
         title: "18. A gas of 125 balls at 240 Hz: change of its energy, as a share",
         of: |first, now| (now.kinetic_energy / first.kinetic_energy - 1.0).abs(),
     },
@@ -69,7 +74,7 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
         } else {
             look.seconds
         };
-        let mut series = Vec::new();
+        let mut series = [Vec::new(), Vec::new()];
         // Nothing moves far in these steps: its curve would be that of rapier without.
         for contender in CONTENDERS.iter().filter(|one| one.name != WITH_CCD) {
             let Some(points) = curve(look, contender, seconds)? else {
@@ -78,10 +83,11 @@ pub fn product(quick: bool, say: Say) -> Result<Product, FindingsError> {
             for (time, change) in &points {
                 let _ = writeln!(csv, "{},{},{time},{change:e}", look.name, contender.name);
             }
-            series.push(Series::new(contender.name, contender.style, points));
+            let panel = &mut series[usize::from(!contender.ours)];
+            panel.push(Series::new(contender.name, contender.style, points));
         }
         say(look.name);
-        charts.push(chart(look, series).into());
+        charts.extend(panels(look, series).map(Picture::from));
     }
     Ok(Product {
         charts,
@@ -129,12 +135,22 @@ fn change(look: &Look, scene: &Scene, first: &Conserved, state: &State) -> f64 {
     (look.of)(first, &Conserved::of(scene, state))
 }
 
-fn chart(look: &Look, series: Vec<Series>) -> Chart {
-    Chart {
-        name: look.name,
-        title: look.title.to_owned(),
+/// The book's engines, and the others over the same axes.
+fn panels(look: &Look, series: [Vec<Series>; 2]) -> [Chart; 2] {
+    let all = series.iter().flatten().flat_map(|one| &one.points);
+    let changes: Vec<f64> = all.map(|point| point.1).collect();
+    let [ours, others] = series;
+    let chart = |name, whose: &str, series| Chart {
+        name,
+        title: format!("{}; {whose}", look.title),
         x: Axis::linear("time (s)"),
-        y: Axis::log("change (share of 1)").lost("NaN"),
+        y: Axis::log("change (share of 1)")
+            .lost("NaN")
+            .reaching(changes.iter().copied().filter(|change| *change > 0.0)),
         series,
-    }
+    };
+    [
+        chart(look.name, "the book's engines", ours),
+        chart(look.others, "others", others),
+    ]
 }

@@ -39,9 +39,10 @@ pub fn stars(scenario: &str) -> Vec<Series> {
         let point = (line.rate, line.error);
         if let Some(known) = series.iter_mut().find(|known| known.name == name) {
             known.points.push(point);
+            known.notes.push(name);
         } else {
-            let style = Style::Published(series.len());
-            series.push(Series::new(&name, style, [point]));
+            let one = Series::new(&name, Style::Published, [point]);
+            series.push(one.with_notes(vec![name]));
         }
     }
     series

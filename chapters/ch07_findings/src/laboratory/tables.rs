@@ -45,7 +45,7 @@ fn bounds() -> String {
             scenario.fails.to_owned(),
         ]);
     }
-    table.markdown(1)
+    table.markdown(4)
 }
 
 /// All scenarios at 60 Hz: by the book's methods, by others, and by integrators of bodies that are alone.

@@ -179,14 +179,10 @@ fn chart(samples: &[Sample], known: (&str, u32, &'static str, &str)) -> Chart {
             .into_iter()
             .filter_map(|parts| fastest(of_who.iter().copied().filter(|s| s.substeps == parts)))
             .filter_map(|s| s.errors[0].map(|depth| (s.ms, 1e3 * depth)))
-            .collect()
+            .collect::<Vec<_>>()
     };
-    let curve = |(who, known): (usize, &(&str, &str, &str, Style))| Series {
-        name: known.2.to_owned(),
-        style: known.3,
-        points: of(who),
-        bars: Vec::new(),
-    };
+    let curve =
+        |(who, known): (usize, &(&str, &str, &str, Style))| Series::new(known.2, known.3, of(who));
     Chart {
         name,
         title: format!("{title}: depth against time, a mark for each number of substeps"),

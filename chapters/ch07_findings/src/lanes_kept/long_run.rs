@@ -100,12 +100,11 @@ impl Sample {
 fn chart(runs: &[Run]) -> Chart {
     let series = runs.iter().map(|run| {
         let moving = run.samples.iter().filter(|s| s.steps > 0.0);
-        Series {
-            name: run.method.to_owned(),
-            style: run.style,
-            points: moving.map(|s| (s.steps, s.energy[1])).collect(),
-            bars: Vec::new(),
-        }
+        Series::new(
+            run.method,
+            run.style,
+            moving.map(|s| (s.steps, s.energy[1])),
+        )
     });
     Chart {
         name: "long_run",

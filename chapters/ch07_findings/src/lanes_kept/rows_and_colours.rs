@@ -20,6 +20,9 @@ const NEARLY: f64 = 1.25;
 const DRAWN: [&str; 4] = ["balls", "pile", "mixed", "ragdolls"];
 const METHODS: [(&str, &str); 2] = [("own-row", "own rows"), ("coloured", "colours")];
 
+/// How their curves look: a colour a scene.
+const STYLES: [fn(usize) -> Style; 2] = [Style::Other, Style::Dashed];
+
 /// A run of a settled heap.
 #[derive(Clone, Debug, PartialEq)]
 struct Sample {
@@ -88,21 +91,19 @@ fn chart(samples: &[Sample]) -> Chart {
     for sample in samples.iter().filter(|s| DRAWN.contains(&s.scene.as_str())) {
         let name = format!("{}, {}", sample.name(), METHODS[sample.method].1);
         let point = (sample.visits, sample.p99);
-        match series.iter_mut().find(|known| known.name == name) {
-            Some(known) => known.points.push(point),
-            None => series.push(Series {
-                name,
-                style: Style::Other(series.len()),
-                points: vec![point],
-                bars: Vec::new(),
-            }),
+        if let Some(known) = series.iter_mut().find(|known| known.name == name) {
+            known.points.push(point);
+            continue;
         }
+        let scene = DRAWN.iter().position(|scene| *scene == sample.scene);
+        let style = STYLES[sample.method](scene.unwrap_or(0));
+        series.push(Series::new(&name, style, [point]));
     }
     Chart {
         name: "rows_and_colours",
-        title: "Depth of 99 of 100 contacts of settled heaps against work".to_owned(),
+        title: "Depth of contacts of settled heaps, 99th percentile, against work: own rows and, in dashes, colours".to_owned(),
         x: Axis::log("visits of pairs in a step"),
-        y: Axis::log("depth that 99 of 100 don't exceed (radii)"),
+        y: Axis::log("depth, 99th percentile (radii)"),
         series,
     }
 }

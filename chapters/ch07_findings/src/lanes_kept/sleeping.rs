@@ -75,13 +75,7 @@ fn pairs(samples: &[Sample]) -> impl Iterator<Item = (&Sample, &Sample)> {
 }
 
 fn chart(samples: &[Sample]) -> Chart {
-    let curve = |name: &str, style, points| Series {
-        name: name.to_owned(),
-        style,
-        points,
-        bars: Vec::new(),
-    };
-    let (awake, asleep) = pairs(samples)
+    let (awake, asleep): (Vec<_>, Vec<_>) = pairs(samples)
         .map(|(awake, asleep)| ((awake.count, awake.ms), (asleep.count, asleep.ms)))
         .unzip();
     Chart {
@@ -90,8 +84,8 @@ fn chart(samples: &[Sample]) -> Chart {
         x: Axis::log("balls"),
         y: Axis::log("time of a step (ms)"),
         series: vec![
-            curve("awake", Style::Other(0), awake),
-            curve("asleep", Style::Other(1), asleep),
+            Series::new("awake", Style::Other(0), awake),
+            Series::new("asleep", Style::Other(1), asleep),
         ],
     }
 }

@@ -29,15 +29,40 @@ fn of<'a>(samples: &'a [Sample], name: &'a str) -> impl Iterator<Item = &'a Samp
     samples.iter().filter(move |sample| sample.name == name)
 }
 
-pub fn chart(samples: &[Sample]) -> Chart {
+/// The engine that stands on both charts.
+const ON_BOTH: &str = "coloured on lanes";
+
+/// The book's engines, and the others beside the quickest of them on a thread, over the same axes.
+pub fn charts(samples: &[Sample]) -> [Chart; 2] {
+    let ours = |name: &str| name.contains(" on ");
+    [
+        chart(samples, "microseconds_per_body", "the book's engines", ours),
+        chart(samples, "microseconds_per_body_others", "others", |name| {
+            name == ON_BOTH || !ours(name)
+        }),
+    ]
+}
+
+fn chart(
+    samples: &[Sample],
+    chart: &'static str,
+    whose: &str,
+    shown: impl Fn(&str) -> bool,
+) -> Chart {
+    let passing = || samples.iter().filter(|sample| sample.passes());
+    let counts = samples.iter().map(|one| one.balls as f64);
+    let times = passing().flat_map(|one| [one.micros.low, one.micros.high]);
     let curve = |(name, style): (String, Style)| {
         let passing = of(samples, &name).filter(|sample| sample.passes());
         let bars = passing.clone().map(|one| (one.micros.low, one.micros.high));
         let points = passing.map(|one| (one.balls as f64, one.micros.median));
         Series::new(&name, style, points).with_bars(bars.collect())
     };
-    let mut series: Vec<Series> = names(samples).into_iter().map(curve).collect();
-    let failing = samples.iter().filter(|sample| !sample.passes());
+    let names = names(samples).into_iter();
+    let mut series: Vec<Series> = names.filter(|(name, _)| shown(name)).map(curve).collect();
+    let failing = samples
+        .iter()
+        .filter(|sample| !sample.passes() && shown(&sample.name));
     let failing: Vec<_> = failing.map(|one| (one.balls as f64, f64::NAN)).collect();
     if !failing.is_empty() {
         series.push(Series::new(
@@ -47,13 +72,15 @@ pub fn chart(samples: &[Sample]) -> Chart {
         ));
     }
     Chart {
-        name: "microseconds_per_body",
+        name: chart,
         title: format!(
-            "Time of a step of a settled pile, a ball: one thread of {}, and a card where it is named",
+            "Time of a step of a settled pile, a ball, {whose}: one thread of {}, and a card where it is named",
             processor()
         ),
-        x: Axis::log("balls"),
-        y: Axis::log("time of a step over the number of balls (µs)").lost("fails"),
+        x: Axis::log("balls").reaching(counts),
+        y: Axis::log("time of a step over the number of balls (µs)")
+            .lost("fails")
+            .reaching(times),
         series,
     }
 }

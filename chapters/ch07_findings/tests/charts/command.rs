@@ -250,6 +250,7 @@ fn the_reports_tables_and_the_cost_of_a_body_are_told_of_every_engine() {
     let read = |file: String| std::fs::read_to_string(folder.path().join(file)).expect("there");
     for picture in [names[0], "report_on_engines_ragdolls", names[1]] {
         assert_well_formed(&read(format!("{picture}.svg")));
+        assert_well_formed(&read(format!("{picture}_others.svg")));
     }
     for name in names {
         let page = read(format!("{name}.txt"));

@@ -144,7 +144,8 @@ pub fn overview(places: &[Place]) -> Bars {
             "Where maps have their edges, over where theory has them: middle, least and largest; \
                 in how many columns theory lies in the edge"
                 .to_owned(),
-        label: "log₁₀ of the measured edge over theory's".to_owned(),
+        label: "measured edge over theory's".to_owned(),
+        powers: true,
         parts: vec!["middle of the columns"],
         groups: groups.filter(|group| !group.bars.is_empty()).collect(),
     }

@@ -14,6 +14,7 @@ pub fn chart(outcomes: &[Outcome]) -> Bars {
         name: "lanes_left_out",
         title: "What a part that a scene doesn't need would add to a step on lanes".to_owned(),
         label: "more time for a step than planned (%)".to_owned(),
+        powers: false,
         parts: vec!["more time"],
         groups: outcomes.iter().map(group).collect(),
     }
