@@ -35,6 +35,8 @@ const PASSES: [(&str, Style); 6] = [
     ("exchange", Style::Marks(4)),
     ("trees", Style::Corrected),
 ];
+/// Slopes that are no further apart than by this factor have one note.
+const ALIKE: f64 = 1.25;
 /// Ends of the roof, operations a byte.
 const ENDS: [f64; 2] = [0.1, 100.0];
 
@@ -145,13 +147,19 @@ fn chart(samples: &[Sample], scene: &str, name: &'static str) -> Chart {
         }
     }
     let copies = of(samples, built, MACHINE).filter(|sample| sample.what.starts_with(COPY));
-    for copy in copies {
-        let bandwidth = copy.bandwidth();
-        let ridge = peak / bandwidth;
-        let roof = [ENDS[0], ridge, ENDS[1]].map(|x| (x, (x * bandwidth).min(peak)));
-        let size = copy.what.trim_start_matches(COPY);
-        let name = format!("{size}: {} GB/s", three_digits(bandwidth));
-        series.push(Series::new(&name, Style::Theory, roof));
+    let mut copies: Vec<&Sample> = copies.collect();
+    copies.sort_by(|a, b| b.bandwidth().total_cmp(&a.bandwidth()));
+    for group in copies.chunk_by(|a, b| a.bandwidth() < ALIKE * b.bandwidth()) {
+        for (place, copy) in (1..).zip(group) {
+            let bandwidth = copy.bandwidth();
+            let ridge = peak / bandwidth;
+            let roof = [ENDS[0], ridge, ENDS[1]].map(|x| (x, (x * bandwidth).min(peak)));
+            let mut notes = vec![String::new(); roof.len()];
+            if place == group.len() {
+                notes[1] = copied(group);
+            }
+            series.push(Series::new("", Style::Theory, roof).with_notes(notes));
+        }
     }
     let machine = samples.first().map_or("", |s| s.processor.as_str());
     let bodies = of(samples, built, scene).next().map_or(0, |s| s.bodies);
@@ -165,6 +173,19 @@ fn chart(samples: &[Sample], scene: &str, name: &'static str) -> Chart {
         y: Axis::log("10⁹ operations a second"),
         series,
     }
+}
+
+/// What these copy, from the quickest on.
+fn copied(group: &[&Sample]) -> String {
+    let size = |copy: &&Sample| copy.what.trim_start_matches(COPY).to_owned();
+    let sizes: Vec<_> = group.iter().map(size).collect();
+    let (first, last) = (group[0].bandwidth(), group[group.len() - 1].bandwidth());
+    let speed = if group.len() == 1 {
+        three_digits(first)
+    } else {
+        format!("{} to {}", three_digits(last), three_digits(first))
+    };
+    format!("{}: {speed} GB/s", sizes.join(", "))
 }
 
 fn csv(samples: &[Sample]) -> String {
