@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::crossings::crossings;
-use super::{CARD, GATE, LONGEST, MANY, STEPS, Sample, TURNS, WARM, processor};
+use super::{CARD, GATE, LONGEST, MANY, STEPS, Sample, TURNS, WARM};
 use crate::chart::{Axis, Chart, Series, Style};
 use crate::draw::grouped;
 use crate::engines::KINDS;
@@ -75,7 +75,7 @@ fn chart(
         name: chart,
         title: format!(
             "Time of a step of a settled pile, a ball, {whose}: one thread of {}, and a card where it is named",
-            processor()
+            host(samples)
         ),
         x: Axis::log("balls").reaching(counts),
         y: Axis::log("time of a step over the number of balls (µs)")
@@ -104,19 +104,24 @@ pub fn page(samples: &[Sample]) -> String {
     )
 }
 
+/// The processor that most of them ran on.
+fn host(samples: &[Sample]) -> &str {
+    let own = samples.iter().find(|one| !one.kept);
+    own.map_or("", |one| one.device.as_str())
+}
+
 fn how(samples: &[Sample]) -> String {
-    let software = samples
-        .iter()
-        .find(|one| !one.kept && one.device != processor().replace(',', ";"));
-    let software = software.map_or(String::new(), |one| {
+    let host = host(samples);
+    let other = samples.iter().find(|one| !one.kept && one.device != host);
+    let other = other.map_or(String::new(), |one| {
         format!(" `{}` ran on {}.", one.name, one.device)
     });
     format!(
         "A pile that `coloured` let settle is handed to every engine, which makes {} steps with it (above {} \
          balls {}) and is then timed in {} turns of {} steps ({} of {}), one engine after the other, on one \
-         thread of {}.{software} The time is the median of the turns. Behind it stands the 99th percentile of the \
+         thread of {host}.{other} The time is the median of the turns. Behind it stands the 99th percentile of the \
          overlaps at the end, of the smaller ball's radius; a time counts where that is below {}, and no ball is \
-         gone. A dash: a step would take more than {} ms. The card's numbers are kept in `{}`, and are of \
+         gone. A dash: not measured; a step that would take more than {} ms never is. The card's numbers are kept in `{}`, and are of \
          another machine, with its pile settled on the card.",
         WARM[0],
         grouped(&MANY.to_string()),
@@ -125,7 +130,6 @@ fn how(samples: &[Sample]) -> String {
         STEPS[0],
         TURNS[1],
         STEPS[1],
-        processor(),
         percent(GATE),
         three_digits(LONGEST),
         CARD.file,
