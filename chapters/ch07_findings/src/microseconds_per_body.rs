@@ -13,7 +13,7 @@ use ch00_scenes::Scene;
 use crate::FindingsError;
 use crate::engines::{KINDS, Kind};
 use crate::kept::Source;
-use crate::lab::{self, Spread};
+use crate::lab::Spread;
 use crate::laboratory::store::{Kept, Store};
 use crate::product::{Product, Say};
 use crate::stepped::Stepped;
@@ -210,9 +210,4 @@ fn card() -> Result<Vec<Sample>, FindingsError> {
         });
     }
     Ok(samples)
-}
-
-/// What most of the engines ran on.
-fn processor() -> String {
-    lab::processor()
 }
