@@ -176,7 +176,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn in_every_crowd_of_the_book_colours_need_fewer_visits() {
+    fn in_every_heap_of_the_book_colours_need_less_than_half_of_the_visits_and_for_ragdolls_nothing_is_gained()
+     {
         let kept = SOURCE.read().expect("it is in the book");
         let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
         let samples = samples.expect("it can be read");
@@ -186,7 +187,14 @@ mod tests {
         for scene in crowds {
             let [rows, colours] = alike(&samples, &scene).expect("both have runs");
             assert_eq!([rows.method, colours.method], [0, 1]);
-            assert!(colours.visits < rows.visits, "{rows:?} {colours:?}");
+            let share = colours.visits / rows.visits;
+            // Joints and limits are solved once a substep by either method: the page says so.
+            let is_as_told = if rows.scene == "ragdolls" {
+                share > 0.9
+            } else {
+                share < 0.5
+            };
+            assert!(is_as_told, "{rows:?} {colours:?}");
         }
     }
 }
