@@ -87,14 +87,11 @@ const BUDGET_GROWTH: f64 = 1.05;
 /// # Errors
 /// [`FindingsError::Kept`] where the table is missing or can't be read.
 pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let made = drawn(&SOURCE.read()?)?;
-    say(&format!("from {}", SOURCE.file));
-    Ok(made)
+    SOURCE.drawn(say, drawn)
 }
 
 fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
-    let lines = kept.lines().map(Sample::of);
-    let mut samples = lines.collect::<Result<Vec<_>, _>>()?;
+    let mut samples = kept.samples(Sample::of)?;
     samples.sort_by(|a, b| a.place().total_cmp(&b.place()));
     Ok(Product {
         charts: vec![times(&samples).into(), depths(&samples).into()],

@@ -90,6 +90,12 @@ pub const KINDS: &[Kind] = &[
     ),
 ];
 
+/// Whether what is called so is an engine of the book's: others are called by their method alone.
+#[must_use]
+pub fn is_ours(name: &str) -> bool {
+    name.contains(" on ")
+}
+
 impl Kind {
     /// Its usual settings, on one thread.
     #[must_use]
@@ -101,10 +107,10 @@ impl Kind {
         }
     }
 
-    /// Whether it is an engine of the book's: those of others are called by their method alone.
+    /// Whether it is an engine of the book's.
     #[must_use]
     pub fn is_ours(&self) -> bool {
-        self.name.contains(" on ")
+        is_ours(self.name)
     }
 
     /// Whether it runs on the graphics device.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use crate::FindingsError;
+use crate::product::{Product, Say};
 
 /// A kept table: which file it is, and what writes it anew.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,6 +89,20 @@ impl Source {
         })
     }
 
+    /// Reads the table, has it laid out, and says where it is from.
+    ///
+    /// # Errors
+    /// [`FindingsError::Kept`] where there is no such file, or it can't be read.
+    pub fn drawn(
+        self,
+        say: Say,
+        draw: impl FnOnce(&Kept) -> Result<Product, FindingsError>,
+    ) -> Result<Product, FindingsError> {
+        let made = draw(&self.read()?)?;
+        say(&format!("from {}", self.file));
+        Ok(made)
+    }
+
     fn wrong(self, path: PathBuf, why: String) -> FindingsError {
         FindingsError::Kept {
             path,
@@ -105,6 +120,17 @@ impl Kept {
             number: *number,
             fields,
         })
+    }
+
+    /// What every line says.
+    ///
+    /// # Errors
+    /// [`FindingsError::Kept`] where one can't be read.
+    pub fn samples<T>(
+        &self,
+        of: impl Fn(Line<'_>) -> Result<T, FindingsError>,
+    ) -> Result<Vec<T>, FindingsError> {
+        self.lines().map(of).collect()
     }
 
     /// What all lines have in a column.

@@ -2,6 +2,7 @@
 
 pub mod beside_rapier;
 pub mod broad_phase;
+pub mod growth;
 pub mod long_run;
 pub mod rows_and_colours;
 pub mod sleeping;

@@ -63,14 +63,11 @@ struct Sample {
 /// # Errors
 /// [`FindingsError::Kept`] where the table is missing or can't be read.
 pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let made = drawn(&SOURCE.read()?)?;
-    say(&format!("from {}", SOURCE.file));
-    Ok(made)
+    SOURCE.drawn(say, drawn)
 }
 
 fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
-    let samples = kept.lines().map(Sample::of);
-    let samples = samples.collect::<Result<Vec<_>, _>>()?;
+    let samples = kept.samples(Sample::of)?;
     let charts = SCENES.map(|(scene, name)| chart(&samples, scene, name).into());
     Ok(Product {
         charts: charts.to_vec(),

@@ -18,7 +18,6 @@ pub mod integrate;
 mod kept;
 mod lab;
 pub mod laboratory;
-pub mod lanes_growth;
 pub mod lanes_kept;
 pub mod lanes_roofline;
 pub mod left_out;

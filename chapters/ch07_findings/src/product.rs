@@ -7,10 +7,12 @@ use crate::chart::{Chart, Picture};
 use crate::errata::ERRATA;
 use crate::laboratory::maps::{self, MAPS, Map};
 use crate::laboratory::{self, SCENARIOS, Scenario};
-use crate::lanes_kept::{beside_rapier, long_run, rows_and_colours, sleeping};
+use crate::lanes_kept::{
+    beside_rapier, broad_phase as lanes_broad_phase, growth, long_run, rows_and_colours, sleeping,
+};
 use crate::{
     FindingsError, architecture_method_hardware, balls_on_the_gpu, bounce, broad_phase, chain,
-    columns, draw, friction, integrate, lanes_growth, lanes_roofline, left_out, limbs, mass_ratio,
+    columns, draw, friction, integrate, lanes_roofline, left_out, limbs, mass_ratio,
     microseconds_per_body, ragdoll_run, report_on_engines, round_trip, stack, substeps_on_the_gpu,
     sweeps, table1, table2, tunnelling,
 };
@@ -179,7 +181,7 @@ const MEASURED: [(&str, &str, Measure); 31] = [
     (
         "lanes_broad_phase",
         "time to find who may touch by engine `lanes`, from a table kept in the book",
-        crate::lanes_kept::broad_phase::product,
+        lanes_broad_phase::product,
     ),
     (
         "lanes_beside_rapier",
@@ -209,7 +211,7 @@ const MEASURED: [(&str, &str, Measure); 31] = [
     (
         "lanes_growth",
         "how a step of lanes grows with the bodies, and what a second thread brings, from a table kept in the book",
-        lanes_growth::product,
+        growth::product,
     ),
 ];
 

@@ -75,8 +75,7 @@ pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
 
 impl Trip {
     fn of(things: &'static str, chart: &'static str, kept: &Kept) -> Result<Self, FindingsError> {
-        let samples = kept.lines().map(Sample::of);
-        let mut samples = samples.collect::<Result<Vec<_>, _>>()?;
+        let mut samples = kept.samples(Sample::of)?;
         samples.sort_by(|a, b| a.bodies.total_cmp(&b.bodies));
         Ok(Self {
             things,

@@ -56,16 +56,11 @@ struct Sample {
 /// # Errors
 /// [`FindingsError::Kept`] where the table is missing or can't be read.
 pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let made = drawn(&SOURCE.read()?)?;
-    say(&format!("from {}", SOURCE.file));
-    Ok(made)
+    SOURCE.drawn(say, drawn)
 }
 
 fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
-    let mut samples = kept
-        .lines()
-        .map(Sample::of)
-        .collect::<Result<Vec<_>, _>>()?;
+    let mut samples = kept.samples(Sample::of)?;
     samples.sort_by(|a, b| {
         a.place()
             .partial_cmp(&b.place())
@@ -237,7 +232,7 @@ mod tests {
     #[test]
     fn the_table_of_the_book_keeps_the_budget() {
         let kept = SOURCE.read().expect("it is in the book");
-        let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
+        let samples = kept.samples(Sample::of);
         let samples = samples.expect("it can be read");
         for (scene, count, _) in BUDGET_TIMES {
             let same = |s: &&Sample| s.scene == scene && s.count == count;

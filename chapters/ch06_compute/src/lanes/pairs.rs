@@ -138,15 +138,9 @@ impl<R: Real> Pairs<R> {
         let mut torn = 0;
         for (pair, label) in self.labels.iter().enumerate() {
             let [a, b] = label.regions;
+            let (a, b) = (a.min(b), a.max(b));
             // What doesn't move is nowhere: the other end decides.
-            let [a, b] = [
-                a.min(b),
-                if a.max(b) == NOWHERE {
-                    a.min(b)
-                } else {
-                    a.max(b)
-                },
-            ];
+            let b = if b == NOWHERE { a } else { b };
             let home = match method {
                 Method::OwnRow => usize::from(a).min(regions.count() - 1),
                 Method::Coloured => regions.node([a, b]),

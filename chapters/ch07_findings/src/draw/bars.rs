@@ -7,7 +7,7 @@ use super::frame::grid;
 use super::legend::Legend;
 use super::scale::{Place, Scale, Tick};
 use super::text::{self, BOLD, GREY, NUMBER, TITLE};
-use super::{MARGIN, WIDTH, canvas, marks};
+use super::{MARGIN, WIDTH, draw_head, file, marks};
 use crate::chart::{Axis, Bar, Bars};
 use crate::error::FindingsError;
 
@@ -25,14 +25,10 @@ const END: f64 = 3.5;
 
 /// The bars as an SVG file.
 pub fn svg(bars: &Bars) -> Result<String, FindingsError> {
-    let mut file = String::new();
     let plot = Plot::new(bars);
-    let canvas = Canvas::new(&mut file, WIDTH, plot.height());
-    plot.draw(canvas).map_err(|error| FindingsError::Draw {
-        chart: bars.name.to_owned(),
-        why: error.to_string(),
-    })?;
-    Ok(canvas::in_pixels(&file, WIDTH, plot.height(), &bars.title))
+    file((bars.name, &bars.title), plot.height(), |canvas| {
+        plot.draw(canvas)
+    })
 }
 
 /// Bars, placed on the page.
@@ -96,16 +92,8 @@ impl<'a> Plot<'a> {
         }
     }
 
-    fn draw(&self, mut canvas: Canvas) -> Drawn {
-        let canvas = &mut canvas;
-        let mut y = MARGIN + 0.5 * TITLE;
-        for line in &self.title {
-            canvas.text(line, MARGIN, y, &text::title())?;
-            y += 1.35 * TITLE;
-        }
-        if let Some(legend) = &self.legend {
-            legend.draw(canvas, MARGIN, y)?;
-        }
+    fn draw(&self, canvas: &mut Canvas) -> Drawn {
+        draw_head(canvas, &self.title, self.legend.as_ref())?;
         self.draw_axis(canvas)?;
         let heading = Lettering {
             bold: true,
@@ -120,7 +108,7 @@ impl<'a> Plot<'a> {
                 y += ROW;
             }
         }
-        canvas.finish()
+        Ok(())
     }
 
     /// Lines across all bars, broken where a group's name stands.

@@ -7,7 +7,7 @@ use super::frame::{grid, thinned};
 use super::legend::Legend;
 use super::scale::{Place, Scale, Tick};
 use super::text::{self, BOLD, TITLE};
-use super::{MARGIN, WIDTH, canvas, marks};
+use super::{MARGIN, WIDTH, draw_head, file, marks};
 use crate::chart::Dots;
 use crate::error::FindingsError;
 
@@ -22,14 +22,10 @@ const LINE: f64 = 18.0;
 
 /// The dots as an SVG file.
 pub fn svg(dots: &Dots) -> Result<String, FindingsError> {
-    let mut file = String::new();
     let plot = Plot::new(dots);
-    let canvas = Canvas::new(&mut file, WIDTH, plot.height());
-    plot.draw(canvas).map_err(|error| FindingsError::Draw {
-        chart: dots.name.to_owned(),
-        why: error.to_string(),
-    })?;
-    Ok(canvas::in_pixels(&file, WIDTH, plot.height(), &dots.title))
+    file((dots.name, &dots.title), plot.height(), |canvas| {
+        plot.draw(canvas)
+    })
 }
 
 /// A mark: its kind, how far to the right it is, and its lane.
@@ -90,14 +86,8 @@ impl<'a> Plot<'a> {
         self.bottom() + 2.0 * LINE + MARGIN
     }
 
-    fn draw(&self, mut canvas: Canvas) -> Drawn {
-        let canvas = &mut canvas;
-        let mut y = MARGIN + 0.5 * TITLE;
-        for line in &self.title {
-            canvas.text(line, MARGIN, y, &text::title())?;
-            y += 1.35 * TITLE;
-        }
-        self.legend.draw(canvas, MARGIN, y)?;
+    fn draw(&self, canvas: &mut Canvas) -> Drawn {
+        draw_head(canvas, &self.title, Some(&self.legend))?;
         let mut y = self.top;
         for (row, (marks, lanes)) in self.dots.rows.iter().zip(&self.rows) {
             let heading = Lettering {
@@ -111,8 +101,7 @@ impl<'a> Plot<'a> {
             self.draw_row(canvas, [y + HEADING, y + height(*lanes)], marks)?;
             y += height(*lanes);
         }
-        self.draw_axis(canvas)?;
-        canvas.finish()
+        self.draw_axis(canvas)
     }
 
     fn draw_row(&self, canvas: &mut Canvas, ends: [f64; 2], marks: &[Mark]) -> Drawn {

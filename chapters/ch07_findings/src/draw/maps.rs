@@ -3,12 +3,12 @@
 
 use plotters::style::text_anchor::HPos;
 
-use super::canvas::{self, Canvas, Drawn, Lettering, Point};
+use super::canvas::{Canvas, Drawn, Lettering, Point};
 use super::frame::{grid, thinned};
 use super::legend::Legend;
 use super::scale::{Place, Scale, Tick};
 use super::text::{self, BOLD, GREY, LABEL, NUMBER, TITLE};
-use super::{MARGIN, WIDTH, marks};
+use super::{MARGIN, WIDTH, draw_head, file, marks};
 use crate::chart::{Class, Maps, Panel, Style};
 use crate::error::FindingsError;
 
@@ -24,14 +24,10 @@ const GAP: f64 = 7.0;
 
 /// The maps as an SVG file.
 pub fn svg(maps: &Maps) -> Result<String, FindingsError> {
-    let mut file = String::new();
     let plot = Plot::new(maps);
-    let canvas = Canvas::new(&mut file, WIDTH, plot.height());
-    plot.draw(canvas).map_err(|error| FindingsError::Draw {
-        chart: maps.name.to_owned(),
-        why: error.to_string(),
-    })?;
-    Ok(canvas::in_pixels(&file, WIDTH, plot.height(), &maps.title))
+    file((maps.name, &maps.title), plot.height(), |canvas| {
+        plot.draw(canvas)
+    })
 }
 
 /// Panels, placed on the page.
@@ -90,19 +86,12 @@ impl<'a> Plot<'a> {
         (x, self.top + row * (HEADING + self.side) + HEADING)
     }
 
-    fn draw(&self, mut canvas: Canvas) -> Drawn {
-        let canvas = &mut canvas;
-        let mut y = MARGIN + 0.5 * TITLE;
-        for line in &self.title {
-            canvas.text(line, MARGIN, y, &text::title())?;
-            y += 1.35 * TITLE;
-        }
-        self.legend.draw(canvas, MARGIN, y)?;
+    fn draw(&self, canvas: &mut Canvas) -> Drawn {
+        draw_head(canvas, &self.title, Some(&self.legend))?;
         for (number, panel) in self.maps.panels.iter().enumerate() {
             self.draw_panel(canvas, number, panel)?;
         }
-        self.draw_labels(canvas)?;
-        canvas.finish()
+        self.draw_labels(canvas)
     }
 
     fn draw_labels(&self, canvas: &mut Canvas) -> Drawn {

@@ -19,6 +19,7 @@ mod scale;
 mod text;
 
 pub use csv::{csv, quoted};
+pub(crate) use marks::RINGED;
 pub(crate) use numbers::{grouped, superscript};
 
 use crate::chart::{Chart, Picture};
@@ -58,35 +59,36 @@ pub fn svg(chart: &Chart) -> Result<String, FindingsError> {
     let top = MARGIN + title_height + legend.height();
     let frame = Frame::new(chart, top);
 
-    let mut file = String::new();
-    let canvas = Canvas::new(&mut file, WIDTH, frame.bottom());
-    draw(canvas, chart, &title, &legend, &frame).map_err(|error| FindingsError::Draw {
-        chart: chart.name.to_owned(),
-        why: error.to_string(),
-    })?;
-    Ok(canvas::in_pixels(
-        &file,
-        WIDTH,
-        frame.bottom(),
-        &chart.title,
-    ))
+    file((chart.name, &chart.title), frame.bottom(), |canvas| {
+        draw_head(canvas, &title, Some(&legend))?;
+        frame.draw(canvas)?;
+        curves::draw(canvas, &chart.series, &frame)
+    })
 }
 
-fn draw(
-    mut canvas: Canvas,
-    chart: &Chart,
-    title: &[String],
-    legend: &Legend,
-    frame: &Frame,
-) -> Drawn {
-    let canvas = &mut canvas;
+/// What is drawn, as an SVG file of this name, title and height, pixels.
+fn file(
+    (name, title): (&str, &str),
+    height: f64,
+    draw: impl FnOnce(&mut Canvas) -> Drawn,
+) -> Result<String, FindingsError> {
+    let mut file = String::new();
+    let mut canvas = Canvas::new(&mut file, WIDTH, height);
+    let drawn = draw(&mut canvas).and_then(|()| canvas.finish());
+    drop(canvas);
+    drawn.map_err(|error| FindingsError::Draw {
+        chart: name.to_owned(),
+        why: error.to_string(),
+    })?;
+    Ok(canvas::in_pixels(&file, WIDTH, height, title))
+}
+
+/// Writes the lines of a title, and under them the legend.
+fn draw_head(canvas: &mut Canvas, title: &[String], legend: Option<&Legend>) -> Drawn {
     let mut y = MARGIN + 0.5 * text::TITLE;
     for line in title {
         canvas.text(line, MARGIN, y, &text::title())?;
         y += 1.35 * text::TITLE;
     }
-    legend.draw(canvas, MARGIN, y)?;
-    frame.draw(canvas)?;
-    curves::draw(canvas, &chart.series, frame)?;
-    canvas.finish()
+    legend.map_or(Ok(()), |legend| legend.draw(canvas, MARGIN, y))
 }

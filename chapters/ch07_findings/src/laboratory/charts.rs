@@ -12,6 +12,7 @@ use super::store::Store;
 use super::{costs, published, tables};
 use crate::FindingsError;
 use crate::chart::{Axis, Chart, Picture, Series, Style};
+use crate::draw::RINGED;
 use crate::product::{Product, Say};
 use crate::table::three_digits;
 
@@ -192,7 +193,7 @@ fn work_precision(scenario: &Scenario, cells: &[Cell]) -> Chart {
     let ringed = all.map(|(one, usual)| one.with_rings(usual.into_iter().collect()));
     let mut series: Vec<Series> = ringed.collect();
     // For the legend: the rings are those of the curves.
-    series.push(Series::new("at 60 Hz", Style::Marks(10), []));
+    series.push(Series::new("at 60 Hz", RINGED, []));
     series.push(Series::new(
         "nothing is cheaper and better",
         Style::Theory,

@@ -71,16 +71,11 @@ struct Sample {
 /// # Errors
 /// [`FindingsError::Kept`] where the table is missing or can't be read.
 pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let made = drawn(&SOURCE.read()?)?;
-    say(&format!("from {}", SOURCE.file));
-    Ok(made)
+    SOURCE.drawn(say, drawn)
 }
 
 fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
-    let samples = kept
-        .lines()
-        .map(Sample::of)
-        .collect::<Result<Vec<_>, _>>()?;
+    let samples = kept.samples(Sample::of)?;
     Ok(Product {
         charts: DRAWN.map(|known| chart(&samples, known).into()).into(),
         csv: csv(&samples),
@@ -270,9 +265,8 @@ fn usual(samples: &[Sample]) -> Table {
             let substeps = usual_substeps(scene, known.1);
             let usual = of_scene().filter(|s| s.who == who && Some(s.substeps) == substeps);
             if let Some(ours) = fastest(usual) {
-                let depths =
-                    [(ours.errors[0], rapier.errors[0])].map(|(own, their)| own.zip(their));
-                let [depth] = depths.map(|depth| depth.map(|(own, their)| own / their));
+                let depths = ours.errors[0].zip(rapier.errors[0]);
+                let depth = depths.map(|(own, their)| own / their);
                 table.push(vec![
                     format!("{scene} {}", draw::grouped(&count.to_string())),
                     ours.told(),
@@ -300,7 +294,7 @@ mod tests {
 
     fn samples() -> Vec<Sample> {
         let kept = SOURCE.read().expect("it is in the book");
-        let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
+        let samples = kept.samples(Sample::of);
         samples.expect("it can be read")
     }
 

@@ -74,16 +74,11 @@ struct Sample {
 /// # Errors
 /// [`FindingsError::Kept`] where the table is missing or can't be read.
 pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let made = drawn(&SOURCE.read()?)?;
-    say(&format!("from {}", SOURCE.file));
-    Ok(made)
+    SOURCE.drawn(say, drawn)
 }
 
 fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
-    let samples = kept
-        .lines()
-        .map(Sample::of)
-        .collect::<Result<Vec<_>, _>>()?;
+    let samples = kept.samples(Sample::of)?;
     let processor = kept.common("processor")?;
     let charts = CROWDS.map(|(crowd, name, title)| chart(&samples, crowd, name, title));
     let charts = charts.into_iter().chain([spread_chart(&samples)]);
@@ -223,7 +218,7 @@ mod tests {
     #[test]
     fn in_the_book_grids_win_among_equals_and_the_tree_among_unequals() {
         let kept = SOURCE.read().expect("it is in the book");
-        let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
+        let samples = kept.samples(Sample::of);
         let samples = samples.expect("it can be read");
         for (crowd, ..) in CROWDS {
             assert!(of(&samples, crowd, "grids").count() >= 3, "{crowd}");

@@ -75,11 +75,10 @@ pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
 
 impl Run {
     fn of(method: &'static str, style: Style, kept: &Kept) -> Result<Self, FindingsError> {
-        let samples = kept.lines().map(Sample::of);
         Ok(Self {
             method,
             style,
-            samples: samples.collect::<Result<_, _>>()?,
+            samples: kept.samples(Sample::of)?,
             origin: kept.origin(),
         })
     }

@@ -42,16 +42,11 @@ struct Sample {
 /// # Errors
 /// [`FindingsError::Kept`] where the table is missing or can't be read.
 pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let made = drawn(&SOURCE.read()?)?;
-    say(&format!("from {}", SOURCE.file));
-    Ok(made)
+    SOURCE.drawn(say, drawn)
 }
 
 fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
-    let samples = kept
-        .lines()
-        .map(Sample::of)
-        .collect::<Result<Vec<_>, _>>()?;
+    let samples = kept.samples(Sample::of)?;
     Ok(Product {
         charts: vec![chart(&samples).into()],
         csv: csv(&samples),
@@ -179,7 +174,7 @@ mod tests {
     fn in_every_heap_of_the_book_colours_need_less_than_half_of_the_visits_and_for_ragdolls_nothing_is_gained()
      {
         let kept = SOURCE.read().expect("it is in the book");
-        let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
+        let samples = kept.samples(Sample::of);
         let samples = samples.expect("it can be read");
         let crowds = samples.iter().filter(|s| DRAWN.contains(&s.scene.as_str()));
         let crowds = scenes(&crowds.cloned().collect::<Vec<_>>());

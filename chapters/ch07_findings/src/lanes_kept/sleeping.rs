@@ -33,16 +33,11 @@ struct Sample {
 /// # Errors
 /// [`FindingsError::Kept`] where the table is missing or can't be read.
 pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let made = drawn(&SOURCE.read()?)?;
-    say(&format!("from {}", SOURCE.file));
-    Ok(made)
+    SOURCE.drawn(say, drawn)
 }
 
 fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
-    let samples = kept
-        .lines()
-        .map(Sample::of)
-        .collect::<Result<Vec<_>, _>>()?;
+    let samples = kept.samples(Sample::of)?;
     Ok(Product {
         charts: vec![chart(&samples).into()],
         csv: csv(&samples),
@@ -118,7 +113,7 @@ mod tests {
     #[test]
     fn in_the_book_a_sleeping_pile_costs_less_than_a_fiftieth_and_lies_as_well() {
         let kept = SOURCE.read().expect("it is in the book");
-        let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
+        let samples = kept.samples(Sample::of);
         let samples = samples.expect("it can be read");
         let largest = pairs(&samples)
             .map(|(awake, _)| awake.count)

@@ -6,7 +6,7 @@ use super::crossings::crossings;
 use super::{CARD, GATE, LONGEST, MANY, STEPS, Sample, TURNS, WARM};
 use crate::chart::{Axis, Chart, Series, Style};
 use crate::draw::grouped;
-use crate::engines::KINDS;
+use crate::engines::{KINDS, is_ours};
 use crate::laboratory::store::Kept;
 use crate::table::{Table, percent, three_digits};
 
@@ -34,11 +34,15 @@ const ON_BOTH: &str = "coloured on lanes";
 
 /// The book's engines, and the others beside the quickest of them on a thread, over the same axes.
 pub fn charts(samples: &[Sample]) -> [Chart; 2] {
-    let ours = |name: &str| name.contains(" on ");
     [
-        chart(samples, "microseconds_per_body", "the book's engines", ours),
+        chart(
+            samples,
+            "microseconds_per_body",
+            "the book's engines",
+            is_ours,
+        ),
         chart(samples, "microseconds_per_body_others", "others", |name| {
-            name == ON_BOTH || !ours(name)
+            name == ON_BOTH || !is_ours(name)
         }),
     ]
 }
@@ -104,7 +108,7 @@ pub fn page(samples: &[Sample]) -> String {
     )
 }
 
-/// The processor that most of them ran on.
+/// The processor that those on a thread ran on.
 fn host(samples: &[Sample]) -> &str {
     let own = samples.iter().find(|one| !one.kept);
     own.map_or("", |one| one.device.as_str())

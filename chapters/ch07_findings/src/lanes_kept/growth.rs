@@ -41,14 +41,11 @@ struct Run {
 /// # Errors
 /// [`FindingsError::Kept`] where the table is missing or can't be read.
 pub fn product(_quick: bool, say: Say) -> Result<Product, FindingsError> {
-    let made = drawn(&SOURCE.read()?)?;
-    say(&format!("from {}", SOURCE.file));
-    Ok(made)
+    SOURCE.drawn(say, drawn)
 }
 
 fn drawn(kept: &Kept) -> Result<Product, FindingsError> {
-    let samples = kept.lines().map(Sample::of);
-    let samples = samples.collect::<Result<Vec<_>, _>>()?;
+    let samples = kept.samples(Sample::of)?;
     Ok(Product {
         charts: vec![chart(&samples).into()],
         csv: csv(&samples),
@@ -198,7 +195,7 @@ mod tests {
     #[test]
     fn growth_is_the_power_of_the_number_and_the_ratio_is_of_one_thread_to_two() {
         let kept = SOURCE.parse("here.csv".into(), TABLE).expect("a table");
-        let samples: Result<Vec<_>, _> = kept.lines().map(Sample::of).collect();
+        let samples = kept.samples(Sample::of);
         let samples = samples.expect("it can be read");
         let run = &samples[0].run;
         assert_eq!(run.growth(&samples, 1e3, 1), None);
