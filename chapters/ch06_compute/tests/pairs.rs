@@ -7,6 +7,8 @@ mod agreeing;
 mod failing;
 #[path = "pairs/handing.rs"]
 mod handing;
+#[path = "shared/moved.rs"]
+mod moved;
 
 use std::sync::OnceLock;
 

@@ -3,4 +3,6 @@
 mod bits;
 mod left_out;
 mod measures;
+#[path = "../shared/moved.rs"]
+mod moved;
 mod sleeping;

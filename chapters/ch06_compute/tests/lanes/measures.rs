@@ -11,12 +11,12 @@
 use std::sync::OnceLock;
 
 use ch00_scenes::measures::{Conserved, Measures};
-use ch00_scenes::random::SplitMix64;
 use ch00_scenes::{Scene, Settings, State};
 use ch06_compute::compute::{Driver, Pairs};
-use ch06_compute::lanes::Lanes;
 use ch06_compute::rules::Rules;
 use ch06_compute::stream::Gpu;
+
+use super::moved::{moved, on_the_cpu};
 
 const DT: f32 = 1.0 / 60.0;
 
@@ -46,28 +46,6 @@ fn gpu() -> Gpu {
 
 fn rules(scene: &Scene) -> Rules {
     Rules::of(scene, &Settings::defaults()).expect("the defaults")
-}
-
-/// The scene on the CPU, with every coordinate of a start moved by one unit in the last place, of its body's
-/// size at least, this way, that way or not.
-fn on_the_cpu(scene: &Scene, seed: u64) -> State {
-    let mut moved = scene.clone();
-    let mut random = SplitMix64::new(seed);
-    for body in moved.bodies.iter_mut().filter(|body| !body.is_static()) {
-        let size = f64::from(body.shape.single().bounding_radius());
-        for axis in 0..3 {
-            let way = [-1.0, 0.0, 1.0][random.next_u64() as usize % 3];
-            body.position[axis] +=
-                way * f64::from(f32::EPSILON) * body.position[axis].abs().max(size);
-        }
-    }
-    let mut lanes = <Lanes>::of(&moved, rules(&moved)).expect("it is supported");
-    for _ in 0..STEPS {
-        lanes.step(DT, |_| ());
-    }
-    let mut state = State::default();
-    lanes.bodies.read(&mut state);
-    state
 }
 
 /// As the engine runs it: balls among walls by kernels of their own, all else by pairs.
@@ -128,7 +106,7 @@ fn outside(scene: &Scene, driver: Driver) -> Vec<String> {
     let device = on_the_device(driver);
     assert_eq!(device.not_finite(), 0, "{}", scene.name);
     let runs: Vec<Vec<Measure>> = (1..=RUNS)
-        .map(|seed| measures_of(scene, &on_the_cpu(scene, seed)))
+        .map(|seed| measures_of(scene, &on_the_cpu(&moved(scene, seed), STEPS)))
         .collect();
     let mut outside = Vec::new();
     for (i, (what, found, roundings)) in measures_of(scene, &device).into_iter().enumerate() {
@@ -240,7 +218,7 @@ fn the_kernels_for_balls_and_the_cpu_differ_where_a_ball_rolls_over_an_edge() {
     let exact = -189.736;
     let off = |state: &State| (state.position[1].y - exact).abs();
     let by_balls = off(&on_the_device(chosen(&scene)));
-    let on_the_cpu = off(&on_the_cpu(&scene, 1));
+    let on_the_cpu = off(&on_the_cpu(&moved(&scene, 1), STEPS));
     // A fall of 61 m/s that begins a substep late, 1/480 s, and one that begins up to a step late.
     assert!(by_balls < 0.15, "{by_balls} m");
     assert!(on_the_cpu < 1.1, "{on_the_cpu} m");
