@@ -6,6 +6,7 @@ pub mod compute;
 pub mod footing;
 pub mod grid;
 pub mod lanes;
+mod norm;
 pub mod own_row;
 #[cfg(feature = "rapier")]
 pub mod peer;

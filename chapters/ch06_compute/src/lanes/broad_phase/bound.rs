@@ -6,6 +6,7 @@ use glam::Vec3;
 use wide::f32x4;
 
 use crate::bodies::Bodies;
+use crate::norm::Norm;
 use crate::rules::MARGIN;
 
 /// How many boxes of a crowd are looked at.
@@ -121,7 +122,7 @@ fn rim_speed(bodies: &Bodies, row: usize) -> f32 {
     if bodies.solid[row].kind == 0 {
         return 0.0;
     }
-    bodies.spin[row].angular_velocity.length() * bodies.place[row].reach
+    bodies.spin[row].angular_velocity.norm() * bodies.place[row].reach
 }
 
 /// How far a body looks beyond itself, m: half the margin, and what it may move.
@@ -130,7 +131,7 @@ pub fn ahead(bodies: &Bodies, row: usize, dt: f32) -> f32 {
     if bodies.is_static(row) {
         return 0.5 * MARGIN;
     }
-    0.5 * MARGIN + (bodies.motion[row].velocity.length() + rim_speed(bodies, row)) * dt
+    0.5 * MARGIN + (bodies.motion[row].velocity.norm() + rim_speed(bodies, row)) * dt
 }
 
 /// Where a body may be in the step, m.
@@ -154,7 +155,7 @@ pub fn speed_in_reaches(bodies: &Bodies, row: usize) -> f32 {
     if bodies.is_static(row) || reach <= 0.0 {
         return 0.0;
     }
-    (bodies.motion[row].velocity.length() + rim_speed(bodies, row)) / reach
+    (bodies.motion[row].velocity.norm() + rim_speed(bodies, row)) / reach
 }
 
 // ANCHOR: roomy

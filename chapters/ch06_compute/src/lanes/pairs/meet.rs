@@ -9,6 +9,7 @@ use crate::bodies::Bodies;
 use crate::lanes::batches::Sort;
 use crate::lanes::plan::{Part, Plan};
 use crate::lanes::regions::Regions;
+use crate::norm::Norm;
 use crate::own_row::narrow::{Posed, put_manifold};
 use crate::rows::{Impulse, Manifold, Material};
 use crate::rules::{MARGIN, Method};
@@ -175,11 +176,11 @@ fn posed(bodies: &Bodies, row: usize) -> Posed {
 /// How far apart two bodies may be and still be a pair: what they may come nearer in the step, m.
 #[inline]
 fn margin(bodies: &Bodies, a: usize, b: usize, dt: f32) -> f32 {
-    let speed = (bodies.motion[b].velocity - bodies.motion[a].velocity).length();
+    let speed = (bodies.motion[b].velocity - bodies.motion[a].velocity).norm();
     let tips = [a, b].map(|row| {
         let turns = bodies.solid[row].kind != 0;
         let rate = if turns {
-            bodies.spin[row].angular_velocity.length()
+            bodies.spin[row].angular_velocity.norm()
         } else {
             0.0
         };

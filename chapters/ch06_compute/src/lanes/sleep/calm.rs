@@ -3,6 +3,7 @@
 use glam::{Quat, Vec3};
 
 use crate::bodies::Bodies;
+use crate::norm::Norm;
 use crate::rules::MARGIN;
 
 /// Who rests comes no farther than this, m, …
@@ -45,13 +46,13 @@ impl Calm {
     /// Whether no point of the body has come far from where it was. A body that is nowhere isn't near.
     fn is_near(&self, bodies: &Bodies, row: usize) -> bool {
         let (place, attitude) = (&bodies.place[row], bodies.attitude[row]);
-        let way = place.position.distance(self.position);
+        let way = (place.position - self.position).norm();
         if bodies.solid[row].kind == BALL {
-            let rim = bodies.spin[row].angular_velocity.length() * place.reach;
+            let rim = bodies.spin[row].angular_velocity.norm() * place.reach;
             return way <= DISTANCE && rim <= FASTEST_SPIN;
         }
         // The chord of the turn, 2 sin of half its angle.
-        let turn = 2.0 * (attitude * self.attitude.conjugate()).xyz().length();
+        let turn = 2.0 * (attitude * self.attitude.conjugate()).xyz().norm();
         way + turn * place.reach <= DISTANCE
     }
     // ANCHOR_END: calm

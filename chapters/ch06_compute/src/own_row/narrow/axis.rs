@@ -5,6 +5,7 @@
 use glam::Vec3;
 
 use super::core::{BOX, CAPSULE, CYLINDER, Core, HUGE, TINY, reach, separation, slack};
+use crate::norm::Norm;
 
 /// The sine of an angle between edges below which they have no direction across them, squared.
 const PARALLEL2: f32 = 1e-6;
@@ -79,7 +80,7 @@ fn candidate(a: &Core, b: &Core, a_is_larger: bool, i: u32) -> Vec3 {
     if i == 17 {
         return off_axis(b, between);
     }
-    between / between.length().max(TINY)
+    between / between.norm().max(TINY)
 }
 
 /// The normal of face i of three, or none.
@@ -112,7 +113,7 @@ fn off_axis(core: &Core, direction: Vec3) -> Vec3 {
         return Vec3::ZERO;
     }
     let off = direction - direction.dot(core.axes.y_axis) * core.axes.y_axis;
-    let length = off.length();
+    let length = off.norm();
     if length > 1e-6 * reach(core) {
         off / length
     } else {

@@ -7,6 +7,7 @@ use super::Posed;
 use super::core::{Core, TINY, outward, to_own, with_sign};
 use super::features::CAP_COSINE;
 use super::spots::FEATURE;
+use crate::norm::Norm;
 use crate::rows::{FIXED, Manifold, ROUND, WITH_B};
 
 /// Two core points are the same if they are nearer than this share of the sizes.
@@ -34,7 +35,7 @@ fn one_point(radius: f32, round_b: f32, normal: Vec3, turns: u32, core_b: Vec3) 
 #[inline(always)]
 #[must_use]
 pub fn ball_ball(r1: f32, r2: f32, d: Vec3, margin: f32) -> Manifold {
-    let distance = d.length();
+    let distance = d.norm();
     if distance > r1 + r2 + margin {
         return Manifold::default();
     }
@@ -53,7 +54,7 @@ pub fn ball_capsule(a: &Posed, b: &Core, margin: f32) -> Manifold {
     let radius = a.size.x;
     let p = to_own(b, -b.centre);
     let core_b = Vec3::new(0.0, p.y.clamp(-b.half.y, b.half.y), 0.0);
-    let distance = (core_b - p).length();
+    let distance = (core_b - p).norm();
     if distance > radius + b.round + margin {
         return Manifold::default();
     }
@@ -74,7 +75,7 @@ pub fn ball_box(a: &Posed, b: &Core, margin: f32) -> Manifold {
     let p = to_own(b, -b.centre);
     let mut core_b = p.clamp(-b.half, b.half);
     let between = core_b - p;
-    let distance = between.length();
+    let distance = between.norm();
     if distance > radius + margin {
         return Manifold::default();
     }
@@ -114,7 +115,7 @@ pub fn ball_cylinder(a: &Posed, b: &Core, margin: f32) -> Manifold {
     let beyond_side = out.dot(p) - b.half.x;
     let beyond_cap = p.y.abs() - b.half.y;
     let mut way = beyond_side.max(0.0) * out + beyond_cap.max(0.0) * up;
-    let distance = way.length();
+    let distance = way.norm();
     if distance > radius + margin {
         return Manifold::default();
     }

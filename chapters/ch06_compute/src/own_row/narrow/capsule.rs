@@ -9,6 +9,7 @@ use super::core::{Core, HUGE, TINY, extent, separation, slack, to_own, with_sign
 use super::edges::{Meeting, along, edges_meet, nearest_points};
 use super::features::edge_towards;
 use super::spots::{finished, no_spots};
+use crate::norm::Norm;
 use crate::rows::{Manifold, ROUND};
 
 /// Nearer than this share of the coordinates the direction between two points is mostly rounding.
@@ -23,7 +24,7 @@ pub fn capsule_capsule(a: &Core, b: &Core, margin: f32) -> Manifold {
     let of_b = edge_towards(b, Vec3::Y);
     let near = nearest_points(&of_a, &of_b, Vec3::ZERO);
     let between = along(&of_b, near.y) - along(&of_a, near.x);
-    let distance = between.length();
+    let distance = between.norm();
     let rounds = a.round + b.round;
     if distance > rounds + margin {
         return Manifold::default();
@@ -49,7 +50,7 @@ pub fn capsule_capsule(a: &Core, b: &Core, margin: f32) -> Manifold {
 /// sideways.
 fn way_out(a: &Core, b: &Core) -> Vec3 {
     let across = a.axes.y_axis.cross(b.axes.y_axis);
-    let sine = across.length();
+    let sine = across.norm();
     let mut normal = a.axes.x_axis;
     if sine > 1e-3 {
         normal = across / sine;
@@ -71,7 +72,7 @@ pub fn box_capsule(a: &Core, b: &Core, margin: f32) -> Manifold {
     let along = to_own(a, b.axes.y_axis);
     let p = centre + nearest_to_box(centre, along, b.half.y, a.half) * along;
     let between = p - p.clamp(-a.half, a.half);
-    let distance = between.length();
+    let distance = between.norm();
     if distance > b.round + margin {
         return Manifold::default();
     }

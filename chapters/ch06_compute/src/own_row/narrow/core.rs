@@ -7,6 +7,7 @@
 use glam::{Mat3, Vec3};
 
 use super::Posed;
+use crate::norm::Norm;
 
 /// The kinds of bodies.
 pub const BALL: u32 = 0;
@@ -137,7 +138,7 @@ pub fn reach(core: &Core) -> f32 {
     if core.kind == CYLINDER {
         return (core.half.x * core.half.x + core.half.y * core.half.y).sqrt();
     }
-    core.half.length()
+    core.half.norm()
 }
 
 /// The smallest half extent of a body, m.
@@ -159,7 +160,7 @@ pub fn smaller_size(a: &Core, b: &Core) -> f32 {
 /// How large the coordinates of support points may be, m.
 #[must_use]
 pub fn extent(a: &Core, b: &Core) -> f32 {
-    (b.centre - a.centre).length() + reach(a) + reach(b)
+    (b.centre - a.centre).norm() + reach(a) + reach(b)
 }
 
 /// By how much a computed length may be off, m.

@@ -6,6 +6,7 @@ use glam::{Vec2, Vec3};
 use super::core::HUGE;
 use super::features::Feature;
 use super::spots::{Spots, add_spot};
+use crate::norm::Norm;
 
 /// Edges run side by side if the sine of the angle between them is less.
 const PARALLEL: f32 = 0.1;
@@ -91,7 +92,7 @@ pub fn edges_meet(spots: &mut Spots, one: &Feature, other: &Feature, meeting: &M
         );
     }
     spots.least = (q - p).dot(spots.normal);
-    if off(spots.normal, p, q).length() > meeting.slack {
+    if off(spots.normal, p, q).norm() > meeting.slack {
         spots.least = HUGE;
     }
 }

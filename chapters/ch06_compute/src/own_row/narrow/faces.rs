@@ -10,6 +10,7 @@ use glam::{Vec2, Vec3};
 use super::core::{Core, reach};
 use super::features::{DISC, EDGE, Feature, corner, corner_count};
 use super::spots::{Spots, add_spot};
+use crate::norm::Norm;
 
 /// Set in the names of b's corners.
 const OF_B: u32 = 128;
@@ -205,7 +206,7 @@ fn corner_name(feature: &Feature, face: &Feature, name: u32, i: u32, at: Vec2) -
 // ANCHOR: rims
 /// 1 for a cap that stands on its rim, else 0.
 fn lowest_count(feature: &Feature, normal: Vec3) -> u32 {
-    let tilt = Vec2::new(feature.u.dot(normal), feature.v.dot(normal)).length();
+    let tilt = Vec2::new(feature.u.dot(normal), feature.v.dot(normal)).norm();
     u32::from(feature.shape == DISC && tilt > FLAT)
 }
 
@@ -213,7 +214,7 @@ fn lowest_count(feature: &Feature, normal: Vec3) -> u32 {
 fn lowest(disc: &Feature, direction: Vec3) -> Vec3 {
     let x = disc.u.dot(direction);
     let y = disc.v.dot(direction);
-    disc.centre + disc.half_u / Vec2::new(x, y).length() * (x * disc.u + y * disc.v)
+    disc.centre + disc.half_u / Vec2::new(x, y).norm() * (x * disc.u + y * disc.v)
 }
 
 /// Where the rims of two caps cross, as seen along the normal. Where one is tilted so much that its rim

@@ -10,6 +10,7 @@ use glam::Vec3;
 
 use super::core::{Core, rounding, support};
 use super::simplex::{simplex_of, take_in};
+use crate::norm::Norm;
 
 /// Iterations before GJK gives its best so far. Boxes take a handful, cylinders up to 20.
 const MOST_ITERATIONS: u32 = 24;
@@ -28,7 +29,7 @@ pub fn gjk(a: &Core, b: &Core, shift: Vec3, start: Vec3) -> Vec3 {
     let mut normal = start;
     for _ in 0..MOST_ITERATIONS {
         let v = simplex.nearest;
-        let distance = v.length();
+        let distance = v.norm();
         if distance <= rounding {
             break;
         }
@@ -43,7 +44,7 @@ pub fn gjk(a: &Core, b: &Core, shift: Vec3, start: Vec3) -> Vec3 {
             break;
         }
         take_in(&mut simplex, w);
-        if simplex.nearest.length() >= distance && !is_higher {
+        if simplex.nearest.norm() >= distance && !is_higher {
             break;
         }
     }
