@@ -153,7 +153,7 @@ fn chart(samples: &[Sample], scene: &str, name: &'static str) -> Chart {
             let roof = [ENDS[0], ridge, ENDS[1]].map(|x| (x, (x * bandwidth).min(peak)));
             let mut notes = vec![String::new(); roof.len()];
             if place == group.len() {
-                notes[1] = copied(group);
+                notes[0] = copied(group);
             }
             series.push(Series::new("", Style::Theory, roof).with_notes(notes));
         }
